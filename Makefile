@@ -220,7 +220,7 @@ docs: deps-docs build
 
 # The pages of report.html and of phyllite lab, bundled from web/src (web/report.html and web/lab.html are committed: building needs no node).
 web:
-	@cd web && npm ci --silent --no-audit --no-fund && npx tsc --noEmit && node build.mjs
+	@cd web && npm ci --ignore-scripts --silent --no-audit --no-fund && npx tsc --noEmit && node build.mjs
 
 # Both pages in Debian's Chromium; need node and chromium beside `make deps`.
 browser: build web

@@ -3,8 +3,8 @@
 
 Also: theory never meets a room that makes results, analysis never meets engine, report meets no room that makes results
 (it reads records), a study prints nothing, calibration drives no engine, a law never meets another law nor a laboratory test
-another test, rooms do not include each other in circles, every room has a namespace of its own, and no line
-is longer than 110 characters. Prints every violation with file and line; exit 1 if any.
+another test, rooms do not include each other in circles, every room has a namespace of its own, files are opened by
+io/file.hpp alone, which waits for no pipe, and no line is longer than 110 characters. Prints every violation with file and line; exit 1 if any.
 """
 import pathlib
 import re
@@ -28,6 +28,7 @@ NEVER |= {("report", room) for room in MAKES_RESULTS | {"study"}}  # it reads re
 NEVER |= {("study", "report"), ("calibrate", "engine"), ("calibrate", "contact"), ("calibrate", "report")}
 LONERS = {"laws": "a law", "lab": "a laboratory test"}  # each in a folder of its own
 COMMON = {"base", "records"}  # the vocabulary of all rooms: in phy itself, not in phy::<room>
+OPENS_FILES = {"study/store.cpp"}  # of the system: in /proc they have no size
 MAX_LINE = 110
 root = pathlib.Path(__file__).resolve().parent.parent / "src"
 problems = []
@@ -67,6 +68,13 @@ def check_namespace(file, number, line):
         problems.append(f"src/{file}:{number}: a using-directive for the whole file; write the room before the name")
 
 
+def check_opening(file, number, line):
+    if str(file) in OPENS_FILES or re.search(r"\.test\.|_fixture\.", file.name):
+        return
+    if re.search(r"\bstd::[io]?fstream\b|\bfopen\(", line):
+        problems.append(f"src/{file}:{number}: opens a file by itself; use io/file.hpp, which waits for no pipe")
+
+
 def check_circles():
     def visit(room, path):
         for other in edges.get(room, {}):
@@ -89,6 +97,7 @@ for file in sorted(root.rglob("*.[ch]pp")):
         if len(line) > MAX_LINE:
             problems.append(f"src/{relative}:{number}: {len(line)} characters, at most {MAX_LINE}")
         check_namespace(relative, number, line)
+        check_opening(relative, number, line)
         include = re.match(r'\s*#include "([^"]+)"', line)
         if include:
             check_include(relative, number, include.group(1))

@@ -7,4 +7,7 @@ namespace phy {
 
 constexpr std::size_t largest_file = std::size_t{1} << 30U;  ///< bytes
 
+/// What a person writes: recipes, rocks, studies have some kilobytes, tables a line for every specimen.
+constexpr std::size_t largest_document = std::size_t{1} << 20U, largest_table = std::size_t{16} << 20U;
+
 }  // namespace phy

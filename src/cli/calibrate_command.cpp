@@ -111,10 +111,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_option("--max-tests", args->max_tests, "budget: tests in compression, verification included")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  verb->callback([args, &session] {
-    stop_on_interrupt();
-    session.exit_code = run_calibration(*args, session);
-  });
+  verb->callback([args, &session] { session.exit_code = run_calibration(*args, session); });
 }
 
 }  // namespace phy::cli

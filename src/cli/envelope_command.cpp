@@ -242,6 +242,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const std::vector<double> confining = read_stresses(args.confining);
   if (args.ensemble) return run_ensemble({{args.recipe}, args.out, args.with_untrusted}, session, confining);
   const Recipe recipe = io::read_recipe(args.recipe);
+  stop_on_interrupt();
   const fs::path out(args.out);
   const int width = session.terminal_width;
   std::vector<Problem> others;
@@ -307,10 +308,7 @@ void add_envelope_command(CLI::App& app, Session& session) {
                  "(docs/calibration.md)");
   verb->add_flag("--with-untrusted", args->with_untrusted,
                  "fit tests that have a strength but are not to be trusted (docs/reliability.md)");
-  verb->callback([args, &session] {
-    stop_on_interrupt();
-    session.exit_code = envelope_of(*args, session);
-  });
+  verb->callback([args, &session] { session.exit_code = envelope_of(*args, session); });
 }
 
 }  // namespace phy::cli

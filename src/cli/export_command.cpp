@@ -68,8 +68,8 @@ std::vector<File> files_of(const Wanted& w, const ExportArguments& args, int wid
 }
 
 void export_pfc2d(const ExportArguments& args, const Session& session) {
-  stop_on_interrupt();
   const std::vector<Wanted> wanted = wanted_of(args.what);
+  stop_on_interrupt();
   for (const Wanted& w : wanted) report::check_pfc_export(w.recipe, args.what);
   std::vector<File> files;
   std::vector<std::string> names;

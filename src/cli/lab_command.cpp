@@ -1,6 +1,7 @@
 // `phyllite lab FOLDER`: a page to work in, for a browser on this machine.
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -50,11 +51,14 @@ int run_lab(const LabArguments& args, const Session& session) {
       std::filesystem::current_path().string());
   print_wrapped(width, 2, "Ctrl-C ends it; what it runs then keeps what is finished\n");
   flush_out();
-  server->run(*stop_on_interrupt());
+  const bool all_answered = server->run(*stop_on_interrupt());
   for (const std::string& folder : desk.running())
     print_wrapped(width, 2, "stopping what writes {}: `phyllite lab`, started again, can go on with it\n",
                   folder);
   flush_out();
+  desk.end();
+  // Nobody will read what is still being answered, and it may take long.
+  if (!all_answered) std::_Exit(0);
   return 0;
 }
 
@@ -73,10 +77,7 @@ void add_lab_command(CLI::App& app, Session& session) {
                       "that is taken",
                       LabArguments::first))
       ->check(CLI::Range(0, 65535));
-  verb->callback([args, &session] {
-    stop_on_interrupt();
-    session.exit_code = run_lab(*args, session);
-  });
+  verb->callback([args, &session] { session.exit_code = run_lab(*args, session); });
 }
 
 }  // namespace phy::cli

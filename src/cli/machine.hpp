@@ -20,7 +20,8 @@ study::MachineOptions machine_of(const Session& session);
 std::string speed_words(const TestRecipe& test);
 
 /// From the first call on, the first Ctrl-C, SIGTERM or SIGHUP sets the flag that is returned and a second
-/// one ends at once: what is finished is on disk already. Verbs call it before anything else.
+/// one ends at once: what is finished is on disk already. Verbs call it when they have read their input,
+/// before they compute or write: until then a signal ends the program, however long a file keeps it.
 const std::atomic<bool>* stop_on_interrupt();
 
 /// make_file of io/program.hpp; a Ctrl-C leaves nothing behind, and is told as an IoError.

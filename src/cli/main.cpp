@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/check.hpp"
+#include "base/embedded.hpp"
 #include "base/quote.hpp"
 #include "base/spelling.hpp"
 #include "cli/commands.hpp"
@@ -76,6 +77,14 @@ int run(int argc, char** argv) {
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
                "phyllite"};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
+  app.add_flag_callback(
+      "--licences",
+      [] {
+        const std::string_view text = phy::embedded("packaging/copyright");
+        throw CLI::CallForVersion(std::string(text.substr(0, text.rfind('\n'))),
+                                  0);  // it ends the line itself
+      },
+      "print the licences of the program and of what it contains");
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

@@ -248,10 +248,7 @@ void add_replay_command(CLI::App& app, Session& session) {
   verb->add_option("--out", args->out,
                    "new folder for the results of the second run; default: none is written")
       ->type_name("FOLDER");
-  verb->callback([args, &session] {
-    stop_on_interrupt();
-    session.exit_code = replay(*args, session);
-  });
+  verb->callback([args, &session] { session.exit_code = replay(*args, session); });
 }
 
 }  // namespace phy::cli

@@ -157,7 +157,6 @@ void add_rock_command(CLI::App& app, Session& session) {
       ->check(CLI::IsMember(readings))
       ->capture_default_str();
   twin->callback([=, &session] {
-    stop_on_interrupt();
     const auto which = std::find(readings.begin(), readings.end(), *E_is) - readings.begin();
     session.exit_code =
         rock_twin(*recipe, without_ending(*name, ".csv"), static_cast<ModulusReading>(which), session);

@@ -92,6 +92,11 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
   made.packing = genesis::packing_of(recipe, folder, [stop = stop_on_interrupt()] { return stop->load(); });
   const double seconds = seconds_since(start);
   print_packing(*made.packing, seconds, cached, width);
+  if (recipe.packing.file.empty() && !folder.empty() && !genesis::is_cached(recipe, folder)) {
+    const std::string key = genesis::packing_key(recipe.specimen, recipe.packing, recipe.matrix);
+    print_wrapped(width, 10, "          it is not kept for the next run: {} cannot be written\n",
+                  genesis::cache_file(folder, key).string());
+  }
   for (Specimen& s : genesis::make_specimens(made.packing, recipe))
     made.specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
   if (!made.specimens.empty()) print_bedding(*made.specimens.front(), width);
@@ -230,12 +235,13 @@ void add_run_command(CLI::App& app, Session& session) {
                 "count tests that have a strength but are not to be trusted (docs/reliability.md)")
       ->needs(ensemble);
   run->callback([args, &session] {
-    stop_on_interrupt();
     if (args->ensemble) {
       session.exit_code = run_ensemble({args->recipes, args->out, args->with_untrusted}, session);
       return;
     }
-    for (const RecipeRun& job : jobs_of(*args))
+    const std::vector<RecipeRun> jobs = jobs_of(*args);
+    stop_on_interrupt();
+    for (const RecipeRun& job : jobs)
       session.exit_code = std::max(session.exit_code, run_one(job, *args, session));
   });
 }

@@ -143,6 +143,7 @@ int run_study(const study::Study& study, const jobs::StudyFiles& files, const St
     print_plan(plan, rows, session);
     return 0;
   }
+  stop_on_interrupt();
   const auto store = jobs::begin_study(files, folder, shard);
   print_plan(plan, study::rows_of(plan, *store), session);
   flush_out();
@@ -338,7 +339,6 @@ void add_study_command(CLI::App& app, Session& session) {
       ->type_name("FILE");
   study->callback([=, &session] {
     for (const CLI::App* chosen : study->get_subcommands()) refuse_unused(*study, *chosen);
-    stop_on_interrupt();
     session.exit_code = *status    ? status_of(*args, session)
                         : *resume  ? run_study(jobs::study_in(args->folder), {}, *args, args->folder, session)
                         : *csv     ? export_study(*args)

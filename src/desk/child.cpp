@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "base/check.hpp"
@@ -78,23 +79,27 @@ Child::Child(const std::vector<std::string>& words, const std::string& log) {
 
 void Child::ended(int status) {
   running_ = false;
-  exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : ending.asked(process_) ? 1 : 128 + WTERMSIG(status);
 }
 
 bool Child::running() {
   int status = 0;
-  if (running_ && waitpid(process_, &status, WNOHANG) == process_) ended(status);
+  if (running_ && waitpid(process_, &status, WNOHANG) != 0) ended(status);
   return running_;
 }
 
-void Child::interrupt() {
-  if (!std::exchange(interrupted_, true) && running()) kill(process_, SIGTERM);
+Child::~Child() {
+  for (; running(); std::this_thread::sleep_for(std::chrono::milliseconds(20))) ending.ask(process_);
 }
 
-Child::~Child() {
-  interrupt();
-  int status = 0;
-  if (running_ && waitpid(process_, &status, 0) == process_) ended(status);
+bool Ending::ask(pid_t process) {
+  const auto now = std::chrono::steady_clock::now();
+  if (process != std::exchange(process_, process)) {
+    since_ = now;
+    return kill(process, SIGTERM) == 0;
+  }
+  // Another SIGTERM would do for one that is busy, but not for one that has been halted.
+  return kill(process, now - since_ < patience ? 0 : SIGKILL) == 0;
 }
 
 }  // namespace phy::desk

@@ -3,6 +3,7 @@
 #pragma once
 #include <sys/types.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -11,25 +12,38 @@ namespace phy::desk {
 /// "phyllite calibrate 'my rock.toml'"
 std::string command_of(const std::vector<std::string>& words);
 
+/// How a process is asked to end: first as by Ctrl-C on a terminal, which keeps what is finished; by force if
+/// it is still there a while later.
+class Ending {
+ public:
+  static constexpr std::chrono::seconds patience{15};
+  /// To be called again as long as the process is there. False: it may not be ended, or is not there.
+  bool ask(pid_t process);
+  bool asked(pid_t process) const { return process == process_; }
+
+ private:
+  pid_t process_ = 0;
+  std::chrono::steady_clock::time_point since_;
+};
+
 class Child {
  public:
   /// `words` follow the program's name; `log` gets the command, and all that it writes. Throws IoError.
   Child(const std::vector<std::string>& words, const std::string& log);
-  /// As interrupt(), and waits for its end.
+  /// Waits for its end, which it asks for.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   bool running();
   pid_t process() const { return process_; }
-  /// Once it runs no more; of a child that a signal has killed 128 and its number.
+  /// Once it runs no more; of a child that a signal has killed 128 and its number, or 1 if it was asked to
+  /// end.
   int exit_code() const { return exit_code_; }
-  /// As Ctrl-C on a terminal: it keeps what is finished and ends soon. Only the first time: a second signal
-  /// would end it at once.
-  void interrupt();
+  Ending ending;
 
  private:
   pid_t process_ = 0;
-  bool running_ = true, interrupted_ = false;
+  bool running_ = true;
   int exit_code_ = 0;
   void ended(int status);
 };

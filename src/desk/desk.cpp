@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -31,6 +31,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_log = 20000;          // of what is shown
+constexpr std::size_t longest_command = 4096;       // at the beginning of a log
+constexpr std::size_t largest_answer = 16U << 20U;  // calibration.json and the like
 constexpr std::chrono::milliseconds at_once{1500};  // in which a refused command has ended
 
 Response json(const Json& j, int status = 200) {
@@ -51,29 +53,30 @@ std::string path_in(const std::string& folder, const std::string& name) {
 
 std::string log_of(const std::string& folder) { return folder + ".log"; }
 
-/// The text of a file, or nothing.
-std::string content(const std::string& file) {
+/// The command that a child was (desk/child.hpp), and what it has printed last.
+struct Log {
+  std::string command, tail;
+};
+
+/// Of any length; empty where there is none.
+Log log_in(const std::string& file) {
   try {
-    return exists(file) ? io::read_file(file) : "";
+    const io::InputFile log(file);
+    const std::string head = log.read(0, longest_command);
+    const std::size_t from = log.size() - std::min(log.size(), longest_log);
+    const std::string tail = log.read(from, longest_log);
+    return {head.starts_with("$ ") ? head.substr(2, head.find('\n') - 2) : "",
+            from == 0 ? tail : tail.substr(tail.find('\n') + 1)};
   } catch (const IoError&) {
-    return "";
+    return {};
   }
-}
-
-std::string tail(const std::string& text) {
-  return text.size() <= longest_log ? text : text.substr(text.find('\n', text.size() - longest_log) + 1);
-}
-
-/// The first line of what a child has printed (desk/child.hpp).
-std::string command_in(const std::string& log) {
-  return log.starts_with("$ ") ? log.substr(2, log.find('\n') - 2) : "";
 }
 
 /// Null where there is no such file, or no JSON in it.
 Json json_in(const std::string& file) {
   try {
-    const std::string text = content(file);
-    return text.empty() ? Json(nullptr) : io::parse_json<Json>(text);
+    const auto text = io::read_if_file(file, largest_answer);
+    return text ? io::parse_json<Json>(*text) : Json(nullptr);
   } catch (const std::exception&) {
     return nullptr;
   }
@@ -124,6 +127,26 @@ Json specimen_json(const Json& result, const TestDescription* test) {
   return j;
 }
 
+/// What a page has sent.
+Json asked_in(const std::string& body) {
+  try {
+    return io::parse_json<Json>(body);
+  } catch (const std::out_of_range&) {
+    throw InputError(Problem{"the request is nested too deep", "", "", "", ""});
+  }
+}
+
+/// The folder may be removed while the program works in it: no file is found by its name then.
+void check_home() {
+  std::error_code gone;
+  static_cast<void>(fs::current_path(gone));
+  if (gone)
+    throw IoError(
+        "The folder of `phyllite lab` is no longer there. End the program with Ctrl-C, and start it in a "
+        "folder "
+        "that is.");
+}
+
 Json choices_of(const char* key) { return find_field(io::rock_schema().fields, key)->choices; }
 
 }  // namespace
@@ -148,10 +171,11 @@ Response Desk::route(const Request& request) {
   const bool get = request.method == "GET";
   if (get && request.path == "/")
     return {200, "text/html; charset=utf-8", std::string(embedded("web/lab.html"))};
+  check_home();
   if (get && request.path.starts_with("/files/")) {
     const auto file = served_file(request.path.substr(7));
     if (!file) return error(404, "no such file in the folder of `phyllite lab`");
-    return {200, content_type(*file), io::read_file(*file), true};
+    return {200, content_type(*file), "", std::make_shared<io::InputFile>(*file)};
   }
   if (get && request.path == "/api/project") return json(project());
   if (get && request.path == "/api/rock") {
@@ -159,7 +183,7 @@ Response Desk::route(const Request& request) {
     return json(rock(name == request.query.end() ? "" : name->second));
   }
   if (get) return error(404, "no such address");
-  const Json asked = io::parse_json<Json>(request.body);
+  const Json asked = asked_in(request.body);
   if (request.path == "/api/check") {
     check_name(asked.at("name").get<std::string>());
     const auto table = desk::get<std::string>(asked, "table", "");
@@ -174,10 +198,10 @@ Response Desk::route(const Request& request) {
       throw InputError(Problem{"", "rock", name, "a rock that has been calibrated", "calibrate it first"});
     return json(recipe_answer(base, asked.at("changes").get<std::map<std::string, std::string>>()));
   }
-  const std::lock_guard lock(mutex_);
+  if (request.path == "/api/stop") return json(stop(asked));
+  const std::lock_guard lock(changes_);
   if (request.path == "/api/save") return saved(asked);
   if (request.path == "/api/calibrate") return json(calibrate(asked));
-  if (request.path == "/api/stop") return json(stop(asked));
   if (request.path == "/api/test") return json(run_test(asked));
   return error(404, "no such address");
 }
@@ -195,7 +219,6 @@ Response Desk::saved(const Json& asked) {
 }
 
 Json Desk::project() {
-  const std::lock_guard lock(mutex_);
   Json rocks = Json::array();
   for (const std::string& name : rock_names()) {
     const Json c = calibration(name);
@@ -216,7 +239,6 @@ Json Desk::project() {
 
 Json Desk::rock(const std::string& name) {
   const RockFiles files = read_rock_files(name);
-  const std::lock_guard lock(mutex_);
   Json tests = Json::array();
   for (const std::string& t : test_names(name)) tests.push_back(test(name, t));
   return {{"name", name},
@@ -229,26 +251,29 @@ Json Desk::rock(const std::string& name) {
           {"tests", std::move(tests)}};
 }
 
-pid_t Desk::process_in(const std::string& folder) {
+Desk::Work Desk::work_in(const std::string& folder) {
+  const pid_t other = jobs::working_in(folder);
+  const std::lock_guard lock(mutex_);
   const auto child = children_.find(folder);
-  return child != children_.end() && child->second->running() ? child->second->process()
-                                                              : jobs::working_in(folder);
-}
-
-int Desk::exit_code(const std::string& folder) {
-  const auto child = children_.find(folder);
-  return child == children_.end() || child->second->running() ? -1 : child->second->exit_code();
+  if (child != children_.end() && child->second->running()) {
+    const pid_t process = child->second->process();
+    if (child->second->ending.asked(process)) child->second->ending.ask(process);
+    return {process, true, -1};
+  }
+  if (other <= 0) others_.erase(folder);
+  if (const auto ending = others_.find(folder); ending != others_.end() && ending->second.asked(other))
+    ending->second.ask(other);
+  return {other, false, child == children_.end() ? -1 : child->second->exit_code()};
 }
 
 Json Desk::calibration(const std::string& name) {
-  const std::string folder = calibration_of(name), log = content(log_of(folder));
+  const std::string folder = calibration_of(name);
+  const Log log = log_in(log_of(folder));
   const auto earlier = jobs::request_in(folder);
   const bool finished = exists(path_in(folder, "calibration.json"));
   Json progress = json_in(path_in(folder, jobs::watch_file));
   const Json told = value_in(progress, {"state"});
-  const pid_t process = process_in(folder);
-  const int code = exit_code(folder);
-  const bool here = process != 0 && children_.contains(folder) && children_[folder]->running();
+  const auto [process, here, code] = work_in(folder);
   // without a process "running" was killed; the report may be missing though all else is there
   const bool whole = told.is_null() || told == "finished";
   const std::string state = process != 0                             ? "running"
@@ -262,12 +287,12 @@ Json Desk::calibration(const std::string& name) {
   next.resume = earlier && (state == "stopped" || state == "failed");
   const Json result = finished ? json_in(path_in(folder, "calibration.json")) : Json(nullptr);
   return {{"state", state},
-          {"command", here ? command_in(log) : command_of(jobs::words_of(next))},
+          {"command", here ? log.command : command_of(jobs::words_of(next))},
           {"folder", folder},
           {"next", next_calibration_of(name)},
           {"here", here},
           {"progress", std::move(progress)},
-          {"log", tail(log)},
+          {"log", log.tail},
           {"verdict", value_in(result, {"verdict"})},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
           {"files", files_in(folder, {"report.html", "calibrated.toml", "tables.txt", "calibration.json",
@@ -282,8 +307,8 @@ Json Desk::test(const std::string& rock, const std::string& name) {
     for (const std::string& of : io::result_folders(folder))
       if (const Json result = json_in(path_in(of, "result.json")); result.is_object())
         specimens.push_back(specimen_json(result, kind));
-  const int code = exit_code(folder);
-  const std::string state = process_in(folder) != 0                  ? "running"
+  const auto [process, here, code] = work_in(folder);
+  const std::string state = process != 0                             ? "running"
                             : code >= 2                              ? "failed"
                             : exists(path_in(folder, "report.html")) ? "finished"
                             : specimens.empty() && code < 0          ? "new"
@@ -293,7 +318,7 @@ Json Desk::test(const std::string& rock, const std::string& name) {
   return {{"name", name},
           {"state", state},
           {"command", command_of({"run", recipe, "--out", folder})},
-          {"log", tail(content(log_of(folder)))},
+          {"log", log_in(log_of(folder)).tail},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
           {"files", std::move(files)},
           {"specimens", std::move(specimens)}};
@@ -311,23 +336,34 @@ Json Desk::save(const Json& asked) {
 }
 
 Json Desk::start(const std::vector<std::string>& words, const std::string& folder) {
-  if (process_in(folder) != 0)
+  if (work_in(folder).process != 0)
     throw InputError(Problem{"", folder, "", "nothing that works there", "it is running already"});
   std::vector<std::string> all = words;
   if (threads_ > 0) all.insert(all.end(), {"--threads", fmt::format("{}", threads_)});
-  children_.erase(folder);
-  auto child = std::make_unique<Child>(all, log_of(folder));
-  // what cannot be done is refused at once: told where it was asked for, and nothing has been begun
+  const std::string log = log_of(folder) + ".begun";
+  auto child = std::make_unique<Child>(all, log);
+  {
+    const std::lock_guard lock(mutex_);
+    children_[folder] = std::move(child);
+  }
+  check_started(folder, log);
+  return {{"command", command_of(all)}};
+}
+
+/// What cannot be done is refused at once: told where it was asked for, and nothing has been begun. What goes
+/// on takes the place of an earlier log.
+void Desk::check_started(const std::string& folder, const std::string& log) {
   const auto start = std::chrono::steady_clock::now();
-  while (child->running() && std::chrono::steady_clock::now() - start < at_once &&
+  while (work_in(folder).here && std::chrono::steady_clock::now() - start < at_once &&
          jobs::working_in(folder) == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  if (!child->running() && child->exit_code() >= 2) {
-    const std::string log = content(log_of(folder));
-    throw InputError(Problem{log.substr(log.find('\n') + 1), "", "", "", ""});
-  }
-  children_[folder] = std::move(child);
-  return {{"command", command_of(all)}};
+  std::error_code none;
+  if (work_in(folder).exit_code < 2) return fs::rename(log, log_of(folder), none);
+  const std::string said = log_in(log).tail;
+  fs::remove(log, none);
+  const std::lock_guard lock(mutex_);
+  children_.erase(folder);
+  throw InputError(Problem{said.substr(said.find('\n') + 1), "", "", "", ""});
 }
 
 /// A whole number as the command takes it; `otherwise` where it is absent.
@@ -344,7 +380,7 @@ Json Desk::calibrate(const Json& asked) {
   if (!exists(name + ".toml"))
     throw InputError(Problem{"", "rock", name, "a rock that has been saved", "save it first"});
   const std::string now = calibration_of(name);
-  if (process_in(now) != 0)
+  if (work_in(now).process != 0)
     throw InputError(Problem{"", now, "", "one calibration of a rock at a time", "stop the other first"});
   jobs::CalibrationRequest request;
   const auto earlier = jobs::request_in(now);
@@ -365,10 +401,11 @@ Json Desk::stop(const Json& asked) {
   check_name(name);
   if (!test.empty()) check_name(test);
   const std::string folder = test.empty() ? calibration_of(name) : path_in(tests_of(name), test);
+  const pid_t process = work_in(folder).process;
+  const std::lock_guard lock(mutex_);
   const auto child = children_.find(folder);
-  if (child != children_.end() && child->second->running())
-    child->second->interrupt();
-  else if (const pid_t process = jobs::working_in(folder); process <= 0 || kill(process, SIGTERM) != 0)
+  const bool here = child != children_.end() && child->second->process() == process;
+  if (process <= 0 || !(here ? child->second->ending : others_[folder]).ask(process))
     throw InputError(
         Problem{"", folder, "", "something that runs on this machine, and that you may stop", ""});
   return Json::object();
@@ -378,14 +415,24 @@ Json Desk::run_test(const Json& asked) {
   const std::string rock = asked.at("name"), name = asked.at("test");
   check_name(rock), check_name(name);
   const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
-  const std::string toml =
-      asked.at("toml").is_null() ? io::read_file(recipe) : asked.at("toml").get<std::string>();
-  if (process_in(folder) != 0 || (exists(recipe) && content(recipe) != toml))
+  const std::string toml = asked.at("toml").is_null() ? io::read_file(recipe, largest_document)
+                                                      : asked.at("toml").get<std::string>();
+  if (work_in(folder).process != 0 || (exists(recipe) && io::read_if_file(recipe) != toml))
     throw InputError(Problem{"", "name", name, "a name that is free", "a test of this name is there"});
   io::parse_recipe(toml, recipe);  // throws: a recipe that cannot run takes no name
   check_inside(folder);
   if (!exists(recipe)) io::write_file(recipe, toml);
   return start({"run", recipe, "--out", folder}, folder);
+}
+
+void Desk::end() {
+  std::map<std::string, std::unique_ptr<Child>> all;
+  {
+    const std::lock_guard lock(mutex_);
+    all.swap(children_);
+  }
+  for (const auto& [folder, child] : all)
+    if (child->running()) child->ending.ask(child->process());
 }
 
 std::vector<std::string> Desk::running() {

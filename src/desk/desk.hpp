@@ -35,12 +35,22 @@ class Desk {
   Response answer(const Request& request);
   /// Folders in which something writes that was started here.
   std::vector<std::string> running();
+  /// Asks all of it to end, and waits.
+  void end();
 
  private:
+  /// What works in a folder.
+  struct Work {
+    pid_t process = 0;  ///< started here or elsewhere, as jobs::working_in()
+    bool here = false;
+    int exit_code = -1;  ///< of what was started here and runs no more
+  };
   int threads_;
   std::string file_token_;
-  std::mutex mutex_;
+  std::mutex changes_;  // one at a time
+  std::mutex mutex_;    // of the following; while it is held, no file is read and nobody waited for
   std::map<std::string, std::unique_ptr<Child>> children_;  // by the folder of the results
+  std::map<std::string, Ending> others_;                    // of what was not started here
 
   Response route(const Request& request);
   Json project();
@@ -53,9 +63,8 @@ class Desk {
   Json run_test(const Json& asked);
   Response saved(const Json& asked);
   Json start(const std::vector<std::string>& words, const std::string& folder);
-  /// The process that works in a folder, started here or elsewhere, as jobs::working_in().
-  pid_t process_in(const std::string& folder);
-  int exit_code(const std::string& folder);
+  Work work_in(const std::string& folder);
+  void check_started(const std::string& folder, const std::string& log);
 };
 
 }  // namespace phy::desk

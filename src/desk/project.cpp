@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t largest_text = 4 << 20;
+constexpr std::size_t largest_text = 4 << 20;
 constexpr std::size_t longest_name = 80;
 
 bool is_text(const std::string& bytes) {
@@ -36,10 +36,8 @@ bool is_text(const std::string& bytes) {
 
 /// Nothing: absent, too large to be edited in a page, or no text.
 std::optional<std::string> text_of(const std::string& file) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > largest_text) return {};
-  std::string text = io::read_file(file);
-  if (!is_text(text)) return {};
+  auto text = io::read_if_file(file, largest_text);
+  if (text && !is_text(*text)) text.reset();
   return text;
 }
 
@@ -68,6 +66,14 @@ bool is_table_name(const std::string& name) {
 }
 
 std::string toml_file(const std::string& name) { return name + ".toml"; }
+
+/// Throws InputError where the page could not show the text again.
+void check_size(const std::string& text, const std::string& file) {
+  if (text.size() > largest_text)
+    throw InputError(
+        Problem{file, "", "", "a text of at most 4 MB",
+                "the page can edit no more: keep a larger table in a file, and name it with data"});
+}
 
 }  // namespace
 
@@ -125,6 +131,7 @@ std::string save_rock(const std::string& name, const std::string& toml,
                       const std::optional<std::string>& table, const std::string& stamp) {
   const RockFiles before = read_rock_files(name);
   if (before.stamp != stamp) throw Changed("the files of this rock have been changed since they were shown");
+  check_size(toml, toml_file(name));
   const std::string table_file = table_named_in(toml, "");
   if (table_file.empty())
     throw InputError(Problem{toml_file(name), "data", "", "the name of the table",
@@ -134,8 +141,10 @@ std::string save_rock(const std::string& name, const std::string& toml,
     throw InputError(Problem{toml_file(name), "data", table_file,
                              "a CSV file of this folder (.csv, .tsv, .txt)",
                              "the table that is typed here is saved under this name"});
-  if (table && (stamp.empty() || table_file != before.table_file) && exists(table_file) &&
-      text_of(table_file) != table)
+  if (table) check_size(*table, table_file);
+  // Of a table that could not be shown the stamp says nothing.
+  const bool another = stamp.empty() || table_file != before.table_file || !before.table;
+  if (table && another && exists(table_file) && text_of(table_file) != table)
     throw InputError(Problem{toml_file(name), "data", table_file, "a name that is free",
                              "another table lies there, which is not written over"});
   if (table) io::write_file(table_file, *table);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "base/check.hpp"
 #include "base/in_folder_fixture.hpp"
@@ -78,6 +79,25 @@ TEST_F(ProjectTest, ATableThatIsNoTextStays) {
   }
   EXPECT_EQ(read("old.csv"), "theta,E\n0,\xff\n");
   EXPECT_EQ(read("shale.toml"), "data = \"shale.xlsx\"\n# more\n");
+}
+
+// Its stamp would say nothing: what somebody else does to it meanwhile would be written over.
+TEST_F(ProjectTest, WhatThePageCannotShowItDoesNotSaveEither) {
+  const std::string large(5 << 20, '#');
+  const std::string stamp = save_rock("shale", "data = \"shale.csv\"\n", table, "");
+  EXPECT_THAT(message_of<InputError>([&] { save_rock("shale", "data = \"shale.csv\"\n", large, stamp); }),
+              HasSubstr("shale.csv: expected a text of at most 4 MB"));
+  EXPECT_THAT(
+      message_of<InputError>([&] { save_rock("shale", "data = \"shale.csv\"\n" + large, {}, stamp); }),
+      HasSubstr("shale.toml: expected a text of at most 4 MB"));
+  EXPECT_EQ(read_rock_files("shale").stamp, stamp);
+  write("shale.csv", large);  // from elsewhere
+  const RockFiles shown = read_rock_files("shale");
+  EXPECT_FALSE(shown.table);
+  EXPECT_THROW(save_rock("shale", shown.toml, table, shown.stamp), InputError);
+  EXPECT_EQ(fs::file_size("shale.csv"), large.size());
+  ASSERT_EQ(::mkfifo("pipe.csv", 0600), 0);
+  EXPECT_THROW(save_rock("other", "data = \"pipe.csv\"\n", table, ""), InputError);
 }
 
 TEST_F(ProjectTest, NamesBecomeFilesOfThisFolder) {

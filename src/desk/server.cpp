@@ -10,7 +10,9 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <chrono>
+#include <condition_variable>
 #include <list>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -28,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds patience{20};  // for a request, and for a connection without one
 constexpr std::size_t largest_header = 16 << 10;
 constexpr int n_answering = 4;
+constexpr std::chrono::milliseconds patience_at_end{500};
 
 /// Nothing from anywhere else, and no other page around this one.
 constexpr const char* own_policy =
@@ -51,6 +54,17 @@ bool same(const std::string& a, const std::string& b) {
 
 Response refused(int status, const std::string& why) {
   return {status, "text/plain; charset=utf-8", why + "\n"};
+}
+
+/// What cannot be read as a request; nothing: the other side has gone, or fallen silent.
+std::optional<Response> refusal_of(beast::error_code error) {
+  static const auto& of_http = make_error_code(http::error::bad_method).category();
+  if (error == http::error::body_limit) return refused(413, "too much at once");
+  if (error == http::error::header_limit) return refused(431, "the head of the request is too long");
+  if (error.category() != of_http || error == http::error::end_of_stream ||
+      error == http::error::partial_message)
+    return {};
+  return refused(400, "this is no request of HTTP 1.1");
 }
 
 /// What a target says: path and query. Nothing: it cannot be read.
@@ -129,11 +143,12 @@ class Server::Impl {
   int port() const { return port_; }
   std::string address() const { return fmt::format("http://127.0.0.1:{}/?token={}", port_, tokens_.all); }
 
-  void run(const std::atomic<bool>& stop) {
+  bool run(const std::atomic<bool>& stop) {
     look(stop);
     accept();
     context_.run();
-    pool_.join();
+    std::unique_lock lock(mutex_);
+    return answered_.wait_for(lock, patience_at_end, [&] { return n_answering_ == 0; });
   }
 
  private:
@@ -145,20 +160,40 @@ class Server::Impl {
     watch_.expires_after(std::chrono::milliseconds(200));
     watch_.async_wait([this, &stop](const boost::system::error_code&) { look(stop); });
   }
+  /// Makes an answer on another thread.
+  template <class Answer>
+  void answer_later(Answer answer) {
+    change_answering(1);
+    net::post(pool_, [this, answer = std::move(answer)] {
+      answer();
+      change_answering(-1);
+    });
+  }
+  void change_answering(int by) {
+    const std::lock_guard lock(mutex_);
+    n_answering_ += by;
+    answered_.notify_all();
+  }
+  /// To the address with the key of a file, which is made when it is first asked for.
+  Response to_key_of(const Request& request, const std::string& target);
   void accept();
   void accept_later();
   void make_room();
   /// Nothing: it may come in.
-  std::optional<Response> refusal(const http::request<http::string_body>& head, Request& request) const;
+  std::optional<Response> refusal(const http::request<http::string_body>& head, Request& request);
 
   Tokens tokens_;
   Handler handler_;
   net::io_context context_{1};
+  std::mutex mutex_;
+  std::condition_variable answered_;
+  int n_answering_ = 0;
   net::thread_pool pool_{n_answering};
   tcp::acceptor acceptor_;
   net::steady_timer watch_, pause_;
   int port_ = 0;
   Connections connections_;
+  std::map<std::string, std::string> keys_;  // of files, by path
 };
 
 /// Of one browser or program: requests one after the other. Lives as long as something is under way.
@@ -180,6 +215,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
+  http::response<http::file_body> file_response_;
   Connections::iterator place_;
   bool waits_ = true;
   Clock::time_point since_ = Clock::now();
@@ -199,9 +235,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
         [self = this->shared_from_this()](beast::error_code error, std::size_t) { self->on_head(error); });
   }
   void on_head(beast::error_code error) {
-    if (error == http::error::body_limit) return refuse(refused(413, "too much at once"));
-    if (error == http::error::header_limit)
-      return refuse(refused(431, "the head of the request is too long"));
+    if (auto no = refusal_of(error)) return refuse(std::move(*no));
     if (error) return leave();
     Request request;
     if (auto no = server_.refusal(parser_->get(), request)) return refuse(std::move(*no));
@@ -211,12 +245,12 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
                          beast::error_code e, std::size_t) mutable { self->on_body(e, std::move(request)); });
   }
   void on_body(beast::error_code error, Request request) {
-    if (error == http::error::body_limit) return refuse(refused(413, "too much at once"));
+    if (auto no = refusal_of(error)) return refuse(std::move(*no));
     if (error) return leave();
     request.body = std::move(parser_->get().body());
     waits_ = false;
     stream_.expires_never();
-    net::post(server_.pool_, [self = this->shared_from_this(), request = std::move(request)] {
+    server_.answer_later([self = this->shared_from_this(), request = std::move(request)] {
       Response response;
       try {
         response = self->server_.handler_(request);
@@ -233,23 +267,37 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
 
   void answer(Response response, bool keep) {
     waits_ = false;
-    response_ = {};
-    response_.result(static_cast<unsigned>(response.status));
-    response_.version(11);
-    response_.keep_alive(keep);
-    response_.set(http::field::content_type, response.type);
-    response_.set(http::field::cache_control, "no-store");
-    response_.set("X-Content-Type-Options", "nosniff");
-    response_.set("Referrer-Policy", "no-referrer");
-    response_.set("Cross-Origin-Resource-Policy", "same-origin");
-    response_.set("Cross-Origin-Opener-Policy", "same-origin");
-    response_.set("Content-Security-Policy", response.foreign ? foreign_policy : own_policy);
-    response_.body() = std::move(response.body);
-    response_.prepare_payload();
+    response_ = {}, file_response_ = {};
+    if (!response.file) {
+      response_.body() = std::move(response.body);
+      return send(response_, response, keep);
+    }
+    beast::error_code error;
+    beast::file_posix file;
+    file.native_handle(response.file->release());
+    file_response_.body().reset(std::move(file), error);
+    if (error) return leave();
+    send(file_response_, response, keep);
+  }
+
+  template <class Message>
+  void send(Message& message, const Response& response, bool keep) {
+    message.result(static_cast<unsigned>(response.status));
+    message.version(11);
+    message.keep_alive(keep);
+    message.set(http::field::content_type, response.type);
+    message.set(http::field::cache_control, "no-store");
+    message.set("X-Content-Type-Options", "nosniff");
+    message.set("Referrer-Policy", "no-referrer");
+    message.set("Cross-Origin-Resource-Policy", "same-origin");
+    message.set("Cross-Origin-Opener-Policy", "same-origin");
+    message.set("Content-Security-Policy", response.foreign() ? foreign_policy : own_policy);
+    if (!response.location.empty()) message.set(http::field::location, response.location);
+    message.prepare_payload();
     stream_.expires_after(patience);
-    http::async_write(stream_, response_,
-                      [self = this->shared_from_this()](beast::error_code error, std::size_t) {
-                        if (error || !self->response_.keep_alive()) return self->leave();
+    http::async_write(stream_, message,
+                      [self = this->shared_from_this(), keep](beast::error_code error, std::size_t) {
+                        if (error || !keep) return self->leave();
                         self->read_head();
                       });
   }
@@ -282,7 +330,7 @@ void Server::Impl::make_room() {
 }
 
 std::optional<Response> Server::Impl::refusal(const http::request<http::string_body>& head,
-                                              Request& request) const {
+                                              Request& request) {
   const auto text = [&](http::field name) { return std::string(head[name]); };
   const auto is_here = [&](const std::string& place) {
     const std::string port = port_ == 80 ? "" : fmt::format(":{}", port_);  // 80 is left out
@@ -290,6 +338,7 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
   };
   if (head.count(http::field::host) != 1 || !is_here(text(http::field::host)))
     return refused(403, "this is no host that Phyllite serves");
+  if (head.count(http::field::origin) > 1) return refused(403, "a request comes from one page");
   if (head.count(http::field::origin) > 0) {
     const std::string origin = text(http::field::origin);
     if (!origin.starts_with("http://") || !is_here(origin.substr(7)))
@@ -301,15 +350,25 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
   if (!read) return refused(400, "no address of this server");
   const std::string token =
       head.count("X-Phyllite-Token") > 0 ? std::string(head["X-Phyllite-Token"]) : read->query["token"];
-  const bool of_file =
-      head.method() == http::verb::get && read->path.starts_with("/files/") && same(token, tokens_.file);
-  if (!same(token, tokens_.all) && !of_file)
+  const bool of_file = head.method() == http::verb::get && read->path.starts_with("/files/");
+  if (of_file && same(token, tokens_.file)) return to_key_of(*read, std::string(head.target()));
+  const auto key = keys_.find(read->path);
+  const bool has_key = of_file && key != keys_.end() && same(read->query["key"], key->second);
+  if (!same(token, tokens_.all) && !has_key)
     return refused(403,
                    "the token is missing or of another start: open the address that `phyllite lab` prints");
   request = std::move(*read);
-  request.query.erase("token");
+  request.query.erase("token"), request.query.erase("key");
   request.method = std::string(head.method_string());
   return {};
+}
+
+Response Server::Impl::to_key_of(const Request& request, const std::string& target) {
+  std::string& key = keys_[request.path];
+  if (key.empty()) key = random_token();
+  Response response{303, "text/plain; charset=utf-8", ""};
+  response.location = target.substr(0, target.find('?')) + "?key=" + key;
+  return response;
 }
 
 Server::Server(unsigned short port, Tokens tokens, Handler handler)
@@ -317,6 +376,6 @@ Server::Server(unsigned short port, Tokens tokens, Handler handler)
 Server::~Server() = default;
 int Server::port() const { return impl_->port(); }
 std::string Server::address() const { return impl_->address(); }
-void Server::run(const std::atomic<bool>& stop) { impl_->run(stop); }
+bool Server::run(const std::atomic<bool>& stop) { return impl_->run(stop); }
 
 }  // namespace phy::desk

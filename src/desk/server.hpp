@@ -15,6 +15,8 @@
 #include <memory>
 #include <string>
 
+#include "io/file.hpp"
+
 namespace phy::desk {
 
 struct Request {
@@ -28,14 +30,19 @@ struct Response {
   int status = 200;
   std::string type = "application/json";
   std::string body;
-  bool foreign = false;  ///< a page that may run its scripts, but not as a page of this server
+  std::shared_ptr<io::InputFile> file = {};  ///< sent in place of the body, piece by piece, and as `foreign`
+  std::string location = {};                 ///< where the browser is to look instead
+
+  /// A page that may run its scripts, but not as a page of this server.
+  bool foreign() const { return file != nullptr; }
 };
 
 /// Called from several threads at once. What it throws is answered with status 500.
 using Handler = std::function<Response(const Request&)>;
 
-/// `file` opens what lies under /files/ and nothing else: it stands in the addresses of pages whose scripts
-/// are nobody's to trust.
+/// `file` asks for what lies under /files/ and for nothing else. The answer leads on to an address with the
+/// key of that one file: a page whose scripts are nobody's to trust sees its own address, and can carry it
+/// away.
 struct Tokens {
   std::string all, file;
 };
@@ -52,8 +59,9 @@ class Server {
   int port() const;
   /// For the browser, with the token.
   std::string address() const;
-  /// Until `stop` is true; answers that are being made are waited for.
-  void run(const std::atomic<bool>& stop);
+  /// Until `stop` is true, and half a second longer for answers that are being made. False: some are not
+  /// done, and the end of this object would wait for them.
+  bool run(const std::atomic<bool>& stop);
 
  private:
   class Impl;

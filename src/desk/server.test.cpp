@@ -11,32 +11,37 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "desk/http_fixture.hpp"
 
 namespace phy::desk {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
 const std::string token = "0123456789abcdef0123456789abcdef", file_token = "fedcba9876543210fedcba9876543210";
 
-/// A server that echoes; "/slow" waits until it is released, "/broken" throws.
-class ServerTest : public testing::Test {
+/// A server that echoes; "/slow" waits until it is released, "/broken" throws, "/file" is one.
+class ServerTest : public InFolder {
  protected:
   std::atomic<bool> stop{false};
   std::atomic<int> n_handled{0};
   std::promise<void> released;
-  Server server{
-      0, {token, file_token}, [this](const Request& r) {
-        ++n_handled;
-        if (r.path == "/slow") released.get_future().wait_for(std::chrono::seconds(9));
-        if (r.path == "/broken") throw std::runtime_error("a reason");
-        std::string query;
-        for (const auto& [key, value] : r.query) query += key + "=" + value + ";";
-        return Response{200, "text/plain", r.method + " " + r.path + " " + query + r.body, r.path == "/file"};
-      }};
-  std::thread runs{[this] { server.run(stop); }};
+  const std::string file = write("file", std::string(3 << 20, 'x') + "end");
+  Server server{0, {token, file_token}, [this](const Request& r) {
+                  ++n_handled;
+                  if (r.path == "/slow") released.get_future().wait_for(std::chrono::seconds(9));
+                  if (r.path == "/broken") throw std::runtime_error("a reason");
+                  std::string query;
+                  for (const auto& [key, value] : r.query) query += key + "=" + value + ";";
+                  if (r.path == "/file")
+                    return Response{200, "text/html", "", std::make_shared<io::InputFile>(file)};
+                  return Response{200, "text/plain", r.method + " " + r.path + " " + query + r.body};
+                }};
+  bool all_answered = false;
+  std::thread runs{[this] { all_answered = server.run(stop); }};
   ~ServerTest() override {
     stop = true;
     runs.join();
@@ -78,23 +83,84 @@ TEST_F(ServerTest, RefusesEverybodyElse) {
   EXPECT_EQ(n_handled, 0);
 }
 
+/// Where an answer leads on to; "" where it is the answer.
+std::string location_in(const Answer& answer) {
+  const std::string mark = "\r\nLocation: ";
+  const std::size_t begin = answer.head.find(mark);
+  if (begin == answer.head.npos) return "";
+  return answer.head.substr(begin + mark.size(), answer.head.find("\r\n", begin + 2) - begin - mark.size());
+}
+
 TEST_F(ServerTest, TheTokenOfFilesOpensFilesAlone) {
-  EXPECT_EQ(get("/files/a?token=" + file_token, host()).status, 200);
+  EXPECT_EQ(get("/files/a?token=" + file_token, host()).status, 303);
   EXPECT_EQ(get("/?token=" + file_token, host()).status, 403);
   EXPECT_EQ(get("/api/files/a?token=" + file_token, host()).status, 403);
-  EXPECT_EQ(get("/files/../api?token=" + file_token, host()).body, "GET /files/../api ");  // no way out of it
   EXPECT_EQ(ask(server.port(), "POST /files/a?token=" + file_token, host()).status, 403);
 }
 
+// A page can read its own address, and carry it to a server of somebody else.
+TEST_F(ServerTest, AnAddressThatAPageSeesOpensThatPageAlone) {
+  const std::string a = location_in(get("/files/a%20b.html?token=" + file_token, host()));
+  ASSERT_THAT(a, testing::StartsWith("/files/a%20b.html?key="));
+  EXPECT_THAT(a, AllOf(Not(HasSubstr(file_token)), Not(HasSubstr(token))));
+  EXPECT_EQ(get(a, host()).body, "GET /files/a b.html ");  // the handler does not see the key
+  EXPECT_EQ(get(a, host()).status, 200);                   // again, as when a page is loaded anew
+  const std::string key = a.substr(a.find('?'));
+  for (const char* other : {"/files/c.html", "/files/a%20b.htm", "/files/", "/", "/api/project"})
+    EXPECT_EQ(get(other + key, host()).status, 403) << other;
+  EXPECT_EQ(ask(server.port(), "POST " + a, host()).status, 403);
+  const std::string c = location_in(get("/files/c.html?token=" + file_token, host()));
+  EXPECT_NE(c.substr(c.find('?')), key);
+  EXPECT_EQ(get("/files/d.html?key=", host()).status, 403);
+  const std::string up = location_in(get("/files/../api?token=" + file_token, host()));
+  EXPECT_EQ(get(up, host()).body, "GET /files/../api ");  // no way out of it
+}
+
+TEST_F(ServerTest, AFileIsSentWhole) {
+  EXPECT_EQ(get("/file", known()).body, read(file));
+  Wire wire(server.port());  // and the connection serves on
+  ASSERT_TRUE(wire.send("GET /file HTTP/1.1\r\n" + known() +
+                        "\r\nGET /two HTTP/1.1\r\nConnection: close\r\n" + known() + "\r\n"));
+  EXPECT_THAT(wire.rest(), AllOf(HasSubstr("xend"), HasSubstr("GET /two")));
+}
+
+TEST_F(ServerTest, WhatIsNoRequestIsAnswered) {
+  for (const std::string& fields :
+       {std::string("Content-Length: -1\r\n"), std::string("Content-Length: 1\r\nContent-Length: 2\r\n"),
+        std::string("X: a\0b\r\n", 8), std::string("no field\r\n")})
+    EXPECT_EQ(ask(server.port(), "POST /a", known() + fields).status, 400) << fields;
+  EXPECT_EQ(ask(server.port(), "GET /a b", known()).status, 400);
+  Wire wire(server.port());
+  wire.send("POST /a HTTP/1.1\r\n" + known() + "Transfer-Encoding: chunked\r\n\r\nzz\r\n");
+  EXPECT_EQ(answer_in(wire.rest()).status, 400);
+  EXPECT_EQ(get("/a", known() + "Origin: http://127.0.0.1\r\nOrigin: null\r\n").status, 403);
+  const std::string mine = fmt::format("Origin: http://127.0.0.1:{}\r\n", server.port());
+  EXPECT_EQ(get("/a", known() + mine + "Origin: http://phyllite.example\r\n").status, 403);
+  EXPECT_EQ(n_handled, 0);
+}
+
+TEST_F(ServerTest, ItsEndIsNotKeptByAnAnswer) {
+  Wire wire(server.port());
+  wire.send("GET /slow HTTP/1.1\r\n" + known() + "\r\n");
+  while (n_handled == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto start = std::chrono::steady_clock::now();
+  stop = true;
+  runs.join();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+  EXPECT_FALSE(all_answered);
+  released.set_value();
+  runs = std::thread([] {});
+}
+
 TEST_F(ServerTest, ForbidsTheBrowserAllOthers) {
-  const Answer own = get("/a", known()), file = get("/file", known());
+  const Answer own = get("/a", known()), foreign = get("/file", known());
   EXPECT_THAT(own.head, HasSubstr("default-src 'none'"));
   EXPECT_THAT(own.head, HasSubstr("frame-ancestors 'none'"));
   EXPECT_THAT(own.head, HasSubstr("no-referrer"));
   EXPECT_THAT(own.head, Not(HasSubstr("sandbox")));
-  EXPECT_THAT(file.head, HasSubstr("sandbox allow-scripts"));  // a script there has another origin
-  EXPECT_THAT(file.head, Not(HasSubstr("allow-same-origin")));
-  EXPECT_THAT(file.head, Not(HasSubstr("connect-src")));
+  EXPECT_THAT(foreign.head, HasSubstr("sandbox allow-scripts"));  // a script there has another origin
+  EXPECT_THAT(foreign.head, Not(HasSubstr("allow-same-origin")));
+  EXPECT_THAT(foreign.head, Not(HasSubstr("connect-src")));
   EXPECT_THAT(own.head, Not(HasSubstr("Access-Control")));
 }
 

@@ -5,8 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -16,12 +14,14 @@
 #include "genesis/packing.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
+#include "records/recipe_schema.hpp"
 
 namespace phy::genesis {
 namespace {
 
 constexpr const char* first_line = "phyllite packing, format 1";
-constexpr std::string_view last_line = "end ";  // and the fingerprint of all text before it
+constexpr std::size_t largest_entry = 128 * max_recipe_grains;  // bytes: three numbers a line
+constexpr std::string_view last_line = "end ";                  // and the fingerprint of all text before it
 
 /// Hexadecimal and exact, the same in every locale.
 std::string hex(double x) {
@@ -135,8 +135,8 @@ std::filesystem::path cache_file(const std::filesystem::path& folder, const std:
 bool is_cached(const Recipe& r, const std::filesystem::path& folder) {
   std::error_code unreadable;
   return r.packing.file.empty() && !folder.empty() &&
-         std::filesystem::exists(cache_file(folder, packing_key(r.specimen, r.packing, r.matrix)),
-                                 unreadable);
+         std::filesystem::is_regular_file(cache_file(folder, packing_key(r.specimen, r.packing, r.matrix)),
+                                          unreadable);
 }
 
 std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const PackingRecipe& recipe,
@@ -145,10 +145,8 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
   if (folder.empty()) return std::make_shared<Packing>(make_packing(size, recipe, matrix, stop));
   const std::string key = packing_key(size, recipe, matrix);
   const std::filesystem::path file = cache_file(folder, key);
-  if (std::ifstream in(file); in) {
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (std::optional<Packing> p = from_text(text, key)) return std::make_shared<Packing>(std::move(*p));
-  }
+  if (const auto text = io::read_if_file(file.string(), largest_entry))
+    if (std::optional<Packing> p = from_text(*text, key)) return std::make_shared<Packing>(std::move(*p));
   auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix, stop));
   io::remove_leftovers(folder.string());  // a process may have been killed as it wrote this very packing
   try {

@@ -2,6 +2,7 @@
 #include "genesis/cache.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -56,6 +57,30 @@ TEST_F(Cache, GivesBackTheSameBits) {
   EXPECT_EQ(kept->report.n_rattlers, made->report.n_rattlers);
   EXPECT_EQ(kept->report.unbalanced, made->report.unbalanced);
   EXPECT_EQ(std::distance(fs::directory_iterator(cache), {}), 1);  // no temporary file left
+}
+
+// Somebody else may write there, where several people share a cache.
+TEST_F(Cache, WhatIsNoFileIsMadeAnewAndNotWaitedFor) {
+  const std::string hash = get()->hash;
+  ::alarm(60);  // ends the tests where something waits after all
+  const std::function<void()> kinds[] = {[&] { ASSERT_EQ(::mkfifo(file().c_str(), 0600), 0); },
+                                         [&] { fs::create_symlink("/dev/zero", file()); },
+                                         [&] {
+                                           write(file(), "x");
+                                           fs::resize_file(file(), std::uintmax_t{6} << 30U);
+                                         }};
+  for (const auto& make : kinds) {
+    fs::remove(file());
+    make();
+    EXPECT_EQ(get()->hash, hash);
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(file())));  // put in its place
+    EXPECT_LT(fs::file_size(file()), 1 << 20);
+  }
+  fs::remove(file());
+  fs::create_directory(file());
+  EXPECT_FALSE(is_cached(recipe, cache));
+  EXPECT_EQ(get()->hash, hash);
+  ::alarm(0);
 }
 
 TEST_F(Cache, IsReallyRead) {

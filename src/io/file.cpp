@@ -7,15 +7,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <thread>
 #include <tuple>
 #include <utility>
 
 #include "base/check.hpp"
-#include "base/largest_file.hpp"
 #include "base/option.hpp"
 #include "io/output.hpp"
 #include "io/reads.hpp"
@@ -36,6 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* temporary_mark = ".phyllite-";
+constexpr std::chrono::seconds patience_for_reader{5};  // of a pipe
 
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
   const bool reading = doing == "be read";
@@ -66,9 +68,15 @@ int write_and_close(int fd, const std::string& content) {
   return error;
 }
 
+/// A new file under a temporary name; whatever stands there is not opened, but goes.
+int open_new(const std::string& real) {
+  ::unlink(real.c_str());
+  return ::open(real.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+}
+
 /// `path` is what the user knows the file by, `real` where it is written.
 void write_synced(const std::string& real, const std::string& path, const std::string& content) {
-  const int fd = ::open(real.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int fd = open_new(real);
   if (fd < 0) fail(path, "be written", errno);
   ::flock(fd, LOCK_EX | LOCK_NB);  // until it is closed: not left over
   const int error = write_and_close(fd, content);
@@ -78,10 +86,18 @@ void write_synced(const std::string& real, const std::string& path, const std::s
   fail(path, "be written", error);
 }
 
-void write_stream(const std::string& path, const std::string& content) {
-  const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const int error = fd < 0 ? errno : write_and_close(fd, content);
-  if (error != 0) fail(path, "be written", error);
+/// Opened without waiting, and then as usual: who reads may be slower than who writes.
+int open_stream(const std::string& path) {
+  const auto start = std::chrono::steady_clock::now();
+  for (;;) {
+    const int fd = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (fd >= 0) {
+      ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+      return fd;
+    }
+    if (errno != ENXIO || std::chrono::steady_clock::now() - start > patience_for_reader) return -1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
 }
 
 /// Makes names in a folder durable. File systems that cannot sync folders are left to their own guarantees.
@@ -90,6 +106,12 @@ void sync_folder(const std::string& path) {
   if (fd < 0) return;
   ::fsync(fd);
   ::close(fd);
+}
+
+/// "4 MB", and of what is more never less than a limit that it exceeds.
+std::string megabytes(std::size_t bytes) {
+  constexpr std::size_t one = 1U << 20U;
+  return std::to_string((bytes + one - 1) / one) + " MB";
 }
 
 std::string parent_of(const std::string& path) { return fs::path(path).parent_path().string(); }
@@ -114,7 +136,7 @@ bool is_left_over(const std::string& path) {
   const std::string thread = thread_in(path);
   std::error_code none;
   if (thread.empty() || fs::exists("/proc/" + thread, none)) return false;
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
   if (fd < 0) return false;
   const bool free = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
   ::close(fd);
@@ -145,31 +167,72 @@ class FilesRead {
   std::set<Key> files_;
 } files_read;
 
+[[noreturn]] void refuse_kind(const std::string& path, mode_t mode) {
+  if (S_ISDIR(mode)) fail(path, "be read", EISDIR);
+  const char* kind = S_ISFIFO(mode) ? "a named pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
+  throw IoError(path + ": cannot be read: it is " + kind + ", not a file; name a file");
+}
+
+std::string content_of(const std::string& path, std::size_t largest) {
+  const InputFile file(path);
+  if (file.size() > largest)
+    throw IoError(path + ": cannot be read: it has " + megabytes(file.size()) + ", and the limit is " +
+                  megabytes(largest) + "; name another file");
+  return file.read(0, file.size());
+}
+
 }  // namespace
 
-std::string read_file(const std::string& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd < 0) fail(path, "be read", errno);
+InputFile::InputFile(std::string path) : path_(std::move(path)) {
+  // Looked at before it is opened, which alone has effects on some devices; and after, as it may have
+  // changed.
+  refuse_unless_file(path_);
+  fd_ = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (fd_ < 0) fail(path_, "be read", errno);
   struct stat about {};
-  // Noted by identity and not by name: outputs must not replace an input through a link (io/output.hpp).
-  if (::fstat(fd, &about) == 0 && S_ISREG(about.st_mode)) files_read.add(about);
-  std::string content;
-  char block[1U << 16U];
-  int error = 0;
-  for (;;) {
-    const ssize_t n = ::read(fd, block, sizeof block);
-    if (n == 0) break;
-    if (n > 0)
-      content.append(block, static_cast<std::size_t>(n));
-    else if (errno != EINTR)
-      error = errno;
-    // Refused while reading: the size of a pipe is not known before.
-    if (content.size() > largest_file) error = EFBIG;
-    if (error != 0) break;
+  const int error = ::fstat(fd_, &about) != 0 ? errno : 0;
+  size_ = static_cast<std::size_t>(about.st_size);
+  if (error == 0 && S_ISREG(about.st_mode)) return;
+  ::close(fd_);
+  error != 0 ? fail(path_, "be read", error) : refuse_kind(path_, about.st_mode);
+}
+
+InputFile::~InputFile() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+std::string InputFile::read(std::size_t from, std::size_t n) const {
+  std::string content(std::min(n, from < size_ ? size_ - from : 0), '\0');
+  std::size_t done = 0;
+  while (done < content.size()) {
+    const ssize_t some =
+        ::pread(fd_, content.data() + done, content.size() - done, static_cast<off_t>(from + done));
+    if (some == 0) break;  // it has become shorter
+    if (some > 0) done += static_cast<std::size_t>(some);
+    if (some < 0 && errno != EINTR) fail(path_, "be read", errno);
   }
-  ::close(fd);
-  if (error != 0) fail(path, "be read", error);
+  content.resize(done);
   return content;
+}
+
+void refuse_unless_file(const std::string& path) {
+  struct stat about {};
+  if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) refuse_kind(path, about.st_mode);
+}
+
+std::string read_file(const std::string& path, std::size_t largest) {
+  std::string content = content_of(path, largest);
+  // Noted by identity and not by name: outputs must not replace an input through a link (io/output.hpp).
+  if (struct stat about{}; ::stat(path.c_str(), &about) == 0) files_read.add(about);
+  return content;
+}
+
+std::optional<std::string> read_if_file(const std::string& path, std::size_t largest) {
+  try {
+    return content_of(path, largest);
+  } catch (const IoError&) {
+    return std::nullopt;
+  }
 }
 
 void forget_reads() { files_read.clear(); }
@@ -215,8 +278,24 @@ bool is_stream(const std::string& path) {
          (::stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode));
 }
 
+void write_stream(const std::string& path, const std::string& content) {
+  const int fd = open_stream(path);
+  if (fd < 0 && errno == ENXIO)
+    throw IoError(path + ": cannot be written: it is a pipe that nobody reads; read it, or name a file");
+  const int error = fd < 0 ? errno : write_and_close(fd, content);
+  if (error != 0) fail(path, "be written", error);
+}
+
+void write_passing(const std::string& path, const std::string& content) {
+  const std::string part = beside(path, "part");
+  const int fd = open_new(part);
+  if (fd < 0) return;
+  const bool whole = write_all(fd, content) == 0;
+  ::close(fd);
+  if (!whole || std::rename(part.c_str(), path.c_str()) != 0) ::unlink(part.c_str());
+}
+
 void write_file(const std::string& path, const std::string& content) {
-  if (is_stream(path)) return write_stream(path, content);
   make_folder(parent_of(path));
   // Beside its place: only within one file system is a rename atomic.
   const std::string part = beside(path, "part");

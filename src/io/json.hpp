@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +20,13 @@ Json parse_json(std::string_view text) {
     return true;
   };
   return Json::parse(text, is_shallow);
+}
+
+/// What reading has thrown, without the number that the library puts in front.
+inline std::string in_words(const std::exception& e) {
+  const std::string_view text = e.what();
+  const std::size_t end = text.starts_with("[json.exception") ? text.find("] ") : text.npos;
+  return std::string(end == text.npos ? text : text.substr(end + 2));
 }
 
 /// A whole number; the library would cut 1e300 down to one without a word. Throws std::out_of_range.

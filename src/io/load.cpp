@@ -145,9 +145,9 @@ auto parsed(const std::string& file, const Parse& parse) {
   try {
     return parse(read_written(file));
   } catch (const nlohmann::json::exception& e) {
-    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
+    throw InputError(Problem{file, "", "", "a result of format 1", in_words(e)});
   } catch (const std::out_of_range& e) {
-    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
+    throw InputError(Problem{file, "", "", "a result of format 1", in_words(e)});
   }
 }
 

@@ -176,7 +176,7 @@ std::string name_of_study(const std::string& folder, const std::string& otherwis
   const fs::path file = fs::path(folder) / "study.toml";
   if (!fs::exists(file)) return otherwise;
   std::vector<Problem> problems;
-  const TomlValue study = parse_toml(read_file(file.string()), file.string(), problems);
+  const TomlValue study = parse_toml(read_file(file.string(), largest_document), file.string(), problems);
   if (!problems.empty()) throw InputError(std::move(problems));
   const TomlValue* name = study.find("name");
   return name == nullptr || name->text.empty() ? otherwise : name->text;

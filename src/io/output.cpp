@@ -4,8 +4,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "base/check.hpp"
@@ -18,16 +16,6 @@ namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The content of a regular file, or nothing. Not by read_file(), which would note it as an input of the
-/// program.
-std::optional<std::string> content_of(const fs::path& file) {
-  std::error_code none;
-  if (!fs::is_regular_file(file, none)) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(in), {}};
-  return in.good() || in.eof() ? std::optional(std::move(content)) : std::nullopt;
-}
 
 std::string folder_of(const std::string& file) {
   const fs::path folder = fs::path(file).parent_path();
@@ -56,10 +44,12 @@ void add_to_list(const std::string& file, std::string_view content) {
   const std::string list = (fs::path(folder_of(file)) / written_list).string(),
                     line = list_line(fs::path(file).filename().string(), content);
   // With the line breaks around it, so that no part of a longer line matches.
-  if (const auto known = content_of(list); known && ("\n" + *known).find("\n" + line) != known->npos) return;
+  if (const auto known = read_if_file(list); known && ("\n" + *known).find("\n" + line) != known->npos)
+    return;
   // Appended in one write, so that several processes can share a list. A link is not followed: the list could
-  // be made to point elsewhere.
-  const int fd = ::open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0644);
+  // be made to point elsewhere. Nor is a pipe waited for.
+  const int fd =
+      ::open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
   if (fd < 0) return;
   write_all(fd, line);
   ::close(fd);
@@ -74,15 +64,15 @@ std::string list_line(const std::string& name, std::string_view content) {
 }
 
 bool is_as_written(const std::string& folder, const std::string& name) {
-  const auto list = content_of(fs::path(folder) / written_list),
-             content = content_of(fs::path(folder) / name);
+  const auto list = read_if_file((fs::path(folder) / written_list).string()),
+             content = read_if_file((fs::path(folder) / name).string());
   // The fingerprint is part of the line: a file changed by hand is not found.
   return list && content && ("\n" + *list).find("\n" + list_line(name, *content)) != list->npos;
 }
 
 std::string read_written(const std::string& file) {
   std::string content = read_file(file);
-  const auto list = content_of(fs::path(folder_of(file)) / written_list);
+  const auto list = read_if_file((fs::path(folder_of(file)) / written_list).string());
   const std::string name = fs::path(file).filename().string();
   const bool listed = list && list->find(" " + comment_text(name) + "\n") != list->npos;
   if (listed && ("\n" + *list).find("\n" + list_line(name, content)) == list->npos)
@@ -93,10 +83,10 @@ std::string read_written(const std::string& file) {
 }
 
 void list_written(const std::string& file, const std::string& part) {
-  if (const auto content = content_of(part)) add_to_list(file, *content);
+  if (const auto content = read_if_file(part)) add_to_list(file, *content);
 }
 
-bool holds(const std::string& file, const std::string& content) { return content_of(file) == content; }
+bool holds(const std::string& file, const std::string& content) { return read_if_file(file) == content; }
 
 void check_outputs(const std::vector<std::string>& files, const std::string& word) {
   std::vector<Problem> problems;
@@ -106,7 +96,7 @@ void check_outputs(const std::vector<std::string>& files, const std::string& wor
 }
 
 void write_output(const std::string& file, const std::string& content) {
-  if (is_stream(file)) return write_file(file, content);
+  if (is_stream(file)) return write_stream(file, content);
   // Left alone, with its time: make and the like see no change.
   if (holds(file, content)) return;
   if (!is_free(file) && !is_as_written(folder_of(file), fs::path(file).filename().string()))

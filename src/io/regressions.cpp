@@ -79,7 +79,7 @@ const Schema& regression_schema() {
 }
 
 std::vector<Regression> read_regressions(const std::string& path) {
-  Document file(read_file(path), path, regression_schema());
+  Document file(read_file(path, largest_document), path, regression_schema());
   std::vector<Regression> lines;
   for (const TomlValue* table : file.tables("line"))
     lines.push_back(read_line(file, *table, "line[" + std::to_string(lines.size()) + "]."));

@@ -411,8 +411,8 @@ class RockReader {
     TableKeys keys{file_.number("confining", nan), file_.text("sheet", ""), columns(), {}};
     if (is_given("bedded")) keys.bedded = file_.number("bedded", 1.0) == 1.0;
     auto readings = file_.read_named("data", [&](const std::string& table) {
-      return parse_readings(parts_.table ? *parts_.table : read_file(table), table_, keys, problems_,
-                            rock_.notes);
+      return parse_readings(parts_.table ? *parts_.table : read_file(table, largest_table), table_, keys,
+                            problems_, rock_.notes);
     });
     if (!readings) return;
     rock_.readings = std::move(readings->values);
@@ -546,7 +546,7 @@ Rock read_rock(const std::string& path) {
   if (of_tables.contains(ending))
     throw InputError(Problem{path, "", "a table", "a rock file (TOML) that names it",
                              fmt::format("`phyllite rock new NAME --data {}` writes one", sh_word(path))});
-  return parse_rock(read_file(path), path, {});
+  return parse_rock(read_file(path, largest_document), path, {});
 }
 
 Rock parse_rock(std::string_view text, const std::string& path, const RockParts& parts) {

@@ -301,7 +301,7 @@ Scene unpack_scene(std::string_view bytes, const std::string& where) {
     return read_scene(bytes);
   } catch (const std::exception& e) {
     // Any failure while reading means that this is not a scene of ours.
-    throw InputError(Problem{where, "", "", "a scene that this program wrote", std::string(e.what())});
+    throw InputError(Problem{where, "", "", "a scene that this program wrote", in_words(e)});
   }
 }
 

@@ -51,6 +51,8 @@ std::string uri_for_reading(const std::string& file) {
 }  // namespace
 
 Database::Database(const std::string& path, int patience_ms, Access access) : path_(path) {
+  // SQLite would wait for a pipe. The others are what it keeps beside a database.
+  for (const char* beside : {"", "-wal", "-journal", "-shm"}) refuse_unless_file(path + beside);
   std::error_code none;
   can_write_ = access == Access::writing || !fs::exists(path, none) || is_writable(path);
   if (can_write_) make_folder(fs::path(path).parent_path().string());

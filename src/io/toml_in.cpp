@@ -202,7 +202,9 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
   return recipe_of_tree(std::move(root), where, std::move(problems));
 }
 
-Recipe read_recipe(const std::string& path) { return with_discs(parse_recipe(read_file(path), path), path); }
+Recipe read_recipe(const std::string& path) {
+  return with_discs(parse_recipe(read_file(path, largest_document), path), path);
+}
 
 Recipe recipe_of(TomlValue keys, const std::string& where) {
   return with_discs(recipe_of_tree(std::move(keys), where, {}), where);

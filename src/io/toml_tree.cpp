@@ -15,14 +15,14 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/largest_file.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
 
 namespace phy::io {
 namespace {
 
-constexpr std::size_t max_bytes = 1U << 20U;  // what a user writes has some kilobytes
-constexpr std::size_t max_line = 4096;        // bounds the work on one line
+constexpr std::size_t max_line = 4096;    // bounds the work on one line
 constexpr int max_dots = 16;              // of one key: tables in tables, on which parser and tree recurse
 constexpr std::size_t max_problems = 50;  // more in one message do not help the user
 
@@ -81,7 +81,7 @@ void find_other_encodings(std::string_view text, const std::string& where, std::
 /// problem a line.
 void scan(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
   // Before anything is parsed: a wrong file (a picture, a dump) is refused at once.
-  if (text.size() > max_bytes) {
+  if (text.size() > largest_document) {
     problems.push_back({where, "", "", "a file of at most 1 MB", "this is some other file"});
     return;
   }

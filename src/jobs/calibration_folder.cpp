@@ -98,7 +98,7 @@ std::string label(const calibrate::Evidence& evidence, const CalibrationRequest&
 
 /// Throws InputError where --resume would write one calibration over another.
 void check_same(const std::string& file, const std::string& expected, const CalibrationRequest& request) {
-  const std::string found = fs::exists(file) ? io::read_file(file) : "";
+  const std::string found = io::read_if_file(file, largest_document).value_or("");
   const auto key = [](const std::string& text) {  // the rock file may have moved
     const std::size_t end = text.find('\n');
     return end == text.npos ? "" : text.substr(end + 1);
@@ -141,9 +141,9 @@ std::vector<std::string> words_of(const CalibrationRequest& request) {
 }
 
 std::optional<CalibrationRequest> request_in(const std::string& folder) {
-  const fs::path file = fs::path(folder) / label_name;
-  if (!fs::exists(file)) return {};
-  const std::string text = io::read_file(file.string()), line = text.substr(0, text.find('\n'));
+  const auto text = io::read_if_file((fs::path(folder) / label_name).string(), largest_document);
+  if (!text) return {};
+  const std::string line = text->substr(0, text->find('\n'));
   const std::size_t open = line.find("\" ("), end = line.rfind(label_options);
   if (open == line.npos || end == line.npos) return {};
   CalibrationRequest request;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/clock.hpp"
+#include "io/file.hpp"
 #include "records/specimen_record.hpp"
 #include "records/test_description.hpp"
 
@@ -112,10 +112,7 @@ std::string CalibrationWatch::text() const {
 void CalibrationWatch::write_now() {
   written_ = Clock::now();
   // Not synced to the disk, as results are: the workers wait meanwhile. A full disk is told by what matters.
-  const std::string part = file_ + ".part";
-  std::ofstream(part) << text();
-  std::error_code ignored;
-  std::filesystem::rename(part, file_, ignored);
+  io::write_passing(file_, text());
 }
 
 void CalibrationWatch::write_soon() {

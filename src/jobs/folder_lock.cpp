@@ -26,7 +26,7 @@ struct flock whole() {
 }  // namespace
 
 FolderLock::FolderLock(const std::string& folder)
-    : descriptor_(::open(lock_file(folder).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    : descriptor_(::open(lock_file(folder).c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0644)) {
   struct flock lock = whole();
   if (descriptor_ < 0 || ::fcntl(descriptor_, F_SETLK, &lock) == 0 || (errno != EACCES && errno != EAGAIN))
     return;
@@ -40,7 +40,7 @@ FolderLock::~FolderLock() {
 }
 
 pid_t working_in(const std::string& folder) {
-  const int descriptor = ::open(lock_file(folder).c_str(), O_RDWR | O_CLOEXEC);
+  const int descriptor = ::open(lock_file(folder).c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return 0;
   struct flock lock = whole();
   const bool known = ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;

@@ -118,7 +118,9 @@ bool is_scalar(const Field& f) { return f.kind != FieldKind::text && f.kind != F
 class Reader {
  public:
   explicit Reader(const std::string& path)
-      : path_(path), file_(io::read_file(path), path, study_schema()), problems_(file_.problems) {}
+      : path_(path),
+        file_(io::read_file(path, largest_document), path, study_schema()),
+        problems_(file_.problems) {}
   Reader(io::TomlValue keys, const std::string& where, const std::optional<Recipe>& base)
       : path_(where),
         file_(std::move(keys), where, study_schema(), {}),
@@ -374,7 +376,7 @@ class Reader {
       problems_.push_back(
           {path_, "vary", "", "no [[vary]] with design = \"list\"", "the columns name the keys"});
     const std::string where = file_.beside(name);
-    const io::Table table = io::parse_table(io::read_file(where), where);
+    const io::Table table = io::parse_table(io::read_file(where, largest_table), where);
     problems_.insert(problems_.end(), table.problems.begin(), table.problems.end());
     const std::vector<std::string> units = read_header(table, where);
     for (const io::TableRow& row : table.rows)

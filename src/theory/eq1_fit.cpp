@@ -215,7 +215,8 @@ Eq1Fit conclude(Eq1Fit fit, const Solution& s, const Setup& p, const std::vector
   fit.e = s.x[0] / p.scale;
   fit.a = s.x[1] / p.scale;
   fit.b = s.x[2] / p.scale;
-  if (!s.converged || s.x[0] <= 0.0)
+  // Moduli next to zero or without bound: their compliances are no numbers.
+  if (!s.converged || !(s.x[0] > 0.0) || !std::isfinite(fit.e + fit.a + fit.b))
     return refused(fit, Eq1Status::not_converged,
                    "the least-squares search did not settle at positive moduli; try the "
                    "compliance loss or look for an outlier");

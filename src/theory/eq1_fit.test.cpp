@@ -140,6 +140,21 @@ TEST(Eq1Fit, RefusesWhatItCannotHold) {
             Eq1Status::bad_reading);
 }
 
+// Such numbers come out of files that somebody has changed.
+TEST(Eq1Fit, RefusesModuliWhoseComplianceIsNoNumber) {
+  for (const double tiny : {4.9e-324, 1e-310, 1e-300})
+    for (const std::size_t at : {0U, 3U, 6U})
+      for (const Eq1Loss loss : {Eq1Loss::compliance, Eq1Loss::modulus})
+        for (const Eq1Reference reference :
+             {Eq1Reference::given, Eq1Reference::measured_90, Eq1Reference::free}) {
+          std::vector<ModulusReading> readings = exact(known, seven);
+          readings[at].E = tiny;
+          const Eq1Fit fit = fit_eq1(readings, {loss, reference, known.E});
+          EXPECT_TRUE(!fit.ok() || std::isfinite(fit.a + fit.b)) << tiny << " " << at;
+          EXPECT_EQ(fit.ok(), fit.reason.empty());
+        }
+}
+
 TEST(Eq1Fit, RefusesNegativeStiffnessesWithAReason) {
   for (Eq1Loss loss : {Eq1Loss::compliance, Eq1Loss::modulus}) {
     std::vector<ModulusReading> turned = exact(known, seven);  // theta and beta confused

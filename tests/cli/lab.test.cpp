@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <csignal>
@@ -210,6 +211,111 @@ TEST_F(Lab, ACalibrationOfATerminalIsSeenStoppedAndNotDisturbed) {
   done("/api/stop", {{"name", "shale"}});
   terminal.join();
   EXPECT_EQ(calibration()["state"], "stopped");
+}
+
+/// Requests that must be answered, with pipes and devices where files are looked for. `end` of a server that
+/// waits would not come back: the alarm ends the tests then.
+TEST_F(Lab, WhatIsNoFileIsNotWaitedFor) {
+  ::alarm(120);
+  save_rock();
+  const fs::path calibration = fs::path(home) / "shale-calibration", tests = fs::path(home) / "shale-tests";
+  fs::create_directories(calibration), fs::create_directories(tests / "pull");
+  const auto pipe = [](const fs::path& name) { ASSERT_EQ(::mkfifo(name.c_str(), 0600), 0) << name; };
+  for (const fs::path& name :
+       {fs::path(home) / "shale-calibration.log", calibration / ".progress.json",
+        calibration / "calibration.json", calibration / "calibration-of.txt", calibration / "report.html",
+        tests / "pull.toml", tests / "pull.log", tests / "pull" / "result.json", fs::path(home) / "p.csv",
+        fs::path(home) / "pipe.toml", fs::path(home) / "shale-calibration.log.begun"})
+    pipe(name);
+  fs::create_symlink("/dev/zero", fs::path(home) / "zero.toml");
+  std::ofstream(fs::path(home) / "zero2.toml") << "data = \"/dev/zero\"\n";
+  for (int i = 0; i < 6; ++i) {  // more than there are threads that answer
+    EXPECT_EQ(get("/api/project")["rocks"].size(), 2U);
+    EXPECT_EQ(get("/api/rock?name=shale")["tests"].size(), 1U);
+    for (const char* data : {"p.csv", "/dev/zero", "/dev/urandom", "shale-tests", "zero.toml"}) {
+      const Json answer =
+          done("/api/check",
+               {{"name", "x"}, {"toml", "data = \"" + std::string(data) + "\"\n"}, {"table", nullptr}});
+      EXPECT_THAT(answer["problems"].dump(), HasSubstr("a file that can be read")) << data;
+    }
+    EXPECT_EQ(phy::desk::ask(port, "GET /files/p.csv", known()).status, 404);
+  }
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"elastic", true}}).status,
+            400);  // calibration.json is there
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(end(SIGINT), 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  ::alarm(0);
+}
+
+TEST_F(Lab, CtrlCIsNotKeptByAnAnswer) {
+  ::alarm(60);
+  std::string table = "theta [deg],E [GPa]\n";
+  while (table.size() < 15'000'000) table += "0,20\n45,22\n90,30\n";
+  const std::string body = Json{{"name", "x"}, {"toml", "data = \"x.csv\"\n"}, {"table", table}}.dump();
+  phy::desk::Wire wire(port);
+  ASSERT_TRUE(wire.send("POST /api/check HTTP/1.1\r\n" + known() +
+                        "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(end(SIGINT), 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+  ::alarm(0);
+}
+
+// A halted process takes no notice of the signal that asks it to end.
+TEST_F(Lab, WhatDoesNotStopIsEnded) {
+  ::alarm(300);
+  save_rock();
+  done("/api/calibrate", {{"name", "shale"}, {"max_tests", 72}});
+  const std::string own = std::to_string(process);
+  ASSERT_EQ(run_line("ps -o pid= --ppid " + own), 0);
+  const pid_t child = std::stoi(output);
+  ASSERT_EQ(::kill(child, SIGSTOP), 0);
+  done("/api/stop", {{"name", "shale"}});
+  done("/api/stop", {{"name", "shale"}});  // impatient
+  EXPECT_EQ(calibration()["state"], "running");
+  EXPECT_EQ(waited()["state"], "stopped");
+  EXPECT_NE(::kill(child, 0), 0);
+  ::alarm(0);
+}
+
+TEST_F(Lab, ARefusedStartLeavesTheLogThatWasThere) {
+  save_rock();
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}}).status, 400);
+  EXPECT_FALSE(fs::exists(fs::path(home) / "shale-calibration.log"));
+  std::ofstream(fs::path(home) / "shale-calibration.log") << "$ phyllite calibrate earlier\n";
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}}).status, 400);
+  EXPECT_EQ(read(fs::path(home) / "shale-calibration.log"), "$ phyllite calibrate earlier\n");
+  for (const auto& entry : fs::directory_iterator(home)) EXPECT_NE(entry.path().extension(), ".begun");
+}
+
+TEST_F(Lab, ALogOfAnyLengthIsShownByItsEnd) {
+  save_rock();
+  const std::string log = (fs::path(home) / "shale-calibration.log").string();
+  std::ofstream(log) << "$ phyllite calibrate\n";
+  fs::resize_file(log, std::uintmax_t{6} << 30U);
+  std::ofstream(log, std::ios::app) << "\nthe last line\n";
+  const std::string shown = calibration()["log"];
+  EXPECT_THAT(shown, testing::EndsWith("the last line\n"));
+  EXPECT_LT(shown.size(), 100000U);
+}
+
+TEST_F(Lab, AFolderThatHasGoneIsSaid) {
+  save_rock();
+  fs::remove_all(home);
+  for (const char* target : {"/api/project", "/api/rock?name=shale", "/files/shale.csv"}) {
+    const Answer answer = phy::desk::ask(port, std::string("GET ") + target, known());
+    EXPECT_EQ(answer.status, 500) << target;
+    EXPECT_THAT(answer.body, HasSubstr("The folder of `phyllite lab` is no longer there. End the program"))
+        << target;
+  }
+}
+
+TEST_F(Lab, ARequestOfBracketsIsRefused) {
+  const Answer answer = phy::desk::ask(port, "POST /api/check", known(), std::string(100000, '['));
+  EXPECT_EQ(answer.status, 400);
+  EXPECT_THAT(answer.body, HasSubstr("nested too deep"));
 }
 
 TEST_F(Lab, ItsOwnInput) {

@@ -2,7 +2,10 @@
 // CSV, TOML, and on the terminal. The languages themselves are asked, with texts that want to be more.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
 
 #include "../program.hpp"
@@ -250,6 +253,141 @@ TEST_F(Attack, TheJobScriptRunsTheStudyOfThatName) {
                  script.substr(at_command, script.find('\n', at_command) - at_command)),
             0);
   EXPECT_EQ(output, "study\nmerge\no $(touch marker)\n");
+}
+
+// What a folder of somebody else holds in the place of files. `timeout` ends with 124 what waits, and
+// `ulimit` what eats.
+class NoFile : public Attack, public testing::WithParamInterface<const char*> {
+ protected:
+  void make(const std::string& name) const {
+    fs::remove_all(at(name));
+    if (GetParam() == std::string("pipe")) {
+      ASSERT_EQ(::mkfifo(at(name).c_str(), 0600), 0);
+    }
+    if (GetParam() == std::string("device")) fs::create_symlink("/dev/zero", at(name));
+    if (GetParam() == std::string("folder")) fs::create_directory(at(name));
+    if (GetParam() == std::string("large")) fs::resize_file(write(name, "x"), std::uintmax_t{6} << 30U);
+  }
+  int limited(const std::string& line) {
+    return here("ulimit -v 3000000; timeout -s KILL 60 " PHY_PROGRAM " " + line);
+  }
+  /// Refused with the name of the file and what it is.
+  void expect_refused(const std::string& line, const std::string& file) {
+    EXPECT_THAT(limited(line), testing::AnyOf(2, 3)) << line << "\n" << output;
+    EXPECT_THAT(output, AllOf(HasSubstr(file), HasSubstr(says()))) << line;
+  }
+  static std::string says() {
+    const std::string kind = GetParam();
+    return kind == "pipe"     ? "it is a named pipe, not a file"
+           : kind == "device" ? "it is a device, not a file"
+           : kind == "folder" ? "name a file, not a folder"
+                              : "it has 6144 MB";
+  }
+};
+
+TEST_P(NoFile, IsRefusedWhereverAFileIsRead) {
+  small_recipe();
+  write("study.toml", "recipe = \"small.toml\"\n[[vary]]\nkey = \"matrix.mu\"\ntimes = [1, 2]\n");
+  write("rock.toml", "data = \"odd.csv\"\n");
+  write("model.toml", "data = \"table.csv\"\nrecipe = \"odd.toml\"\n");
+  write("table.csv", "theta [deg],E [GPa]\n0,20\n45,22\n90,30\n");
+  write("discs.toml", "[packing]\nfile = \"odd.csv\"\n");
+  write("list.toml", "recipe = \"small.toml\"\ndesign = \"list\"\nfile = \"odd.csv\"\n");
+  for (const char* name : {"odd.toml", "odd.csv"}) make(name);
+  for (const char* line :
+       {"recipe odd.toml", "run odd.toml --out out", "rock check odd.toml", "study odd.toml",
+        "calibrate odd.toml --out out", "specimen odd.toml", "rock check model.toml"})
+    expect_refused(line, "odd.toml");
+  for (const char* line : {"rock check rock.toml", "specimen discs.toml", "study list.toml --dry-run"})
+    expect_refused(line, "odd.csv");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_P(NoFile, IsRefusedInsideAResultAStudyAndACalibration) {
+  ASSERT_EQ(phyllite("run " + small_recipe() + " --out out"), 0) << output;
+  for (const char* name : {"result.json", "history.csv", "cracks.csv", "scene.bin"}) {
+    fs::remove_all(at("other"));
+    fs::copy(at("out/intact"), at("other"));
+    make(std::string("other/") + name);
+    for (const char* verb : {"show", "report"}) expect_refused(std::string(verb) + " other", name);
+  }
+  write("study.toml",
+        "recipe = \"small.toml\"\nsolver = \"direct\"\n[[vary]]\nkey = \"matrix.mu\"\ntimes = [1, 2]\n");
+  ASSERT_EQ(phyllite("study study.toml --out s"), 0) << output;
+  if (GetParam() != std::string("large"))  // a database may be
+    for (const char* name : {"s/study.sqlite-wal", "s/study.sqlite"}) {
+      make(name);
+      expect_refused("study status s", name);
+      fs::remove_all(at(name));
+    }
+  fs::create_directory(at("c"));
+  make("c/calibration.json");
+  expect_refused("report c", "calibration.json");
+}
+
+TEST_P(NoFile, InTheCacheIsMadeAnew) {
+  small_recipe();
+  ASSERT_EQ(phyllite("specimen small.toml"), 0) << output;
+  const std::string entry =
+      "cache/phyllite/" + fs::directory_iterator(at("cache/phyllite"))->path().filename().string();
+  make(entry);
+  ASSERT_EQ(limited("specimen small.toml"), 0) << output;
+  const bool kept = fs::is_regular_file(fs::symlink_status(at(entry)));
+  EXPECT_EQ(kept, GetParam() != std::string("folder"));
+  if (!kept) {
+    EXPECT_THAT(output, AllOf(HasSubstr("not kept for the next run"),
+                              HasSubstr(fs::path(entry).filename().string())));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, NoFile, testing::Values("pipe", "device", "folder", "large"),
+                         [](const auto& one) { return std::string(one.param); });
+
+// A reader that is large on the stack ends a program in a batch system that gives it little.
+TEST_F(Attack, AStackOfFewKilobytesIsEnough) {
+  small_recipe();
+  write("table.csv", "theta [deg],E [GPa]\n0,20\n45,22\n90,30\n");
+  write("rock.toml", "data = \"table.csv\"\n");
+  for (const char* line :
+       {"recipe small.toml", "rock check rock.toml", "run small.toml --threads 1 --out out", "show out"})
+    EXPECT_EQ(here("ulimit -s 64; " PHY_PROGRAM " " + std::string(line)), 0) << line << "\n" << output;
+}
+
+TEST_F(Attack, WhatIsDamagedIsToldWithoutNumbersOfALibrary) {
+  ASSERT_EQ(phyllite("run " + small_recipe() + " --out out"), 0) << output;
+  fs::remove(at("out/intact/.written-by-phyllite"));
+  fs::create_directory(at("c"));
+  const std::string whole = read(at("out/intact/result.json"));
+  for (const std::string& text :
+       {whole.substr(0, whole.size() / 2), std::string("{\"format\": 1}"),
+        std::string("{\"format\": 1, \"rock\": 3, \"recipe\": 3, \"program\": 3}")}) {
+    write("out/intact/result.json", text), write("c/calibration.json", text);
+    EXPECT_EQ(phyllite("show out/intact"), 2);
+    EXPECT_THAT(output, AllOf(HasSubstr("expected a result of format 1; "), Not(HasSubstr("exception"))));
+    EXPECT_EQ(phyllite("report c"), 2);
+    EXPECT_THAT(output,
+                AllOf(HasSubstr("expected a calibration of format 1; "), Not(HasSubstr("exception"))));
+  }
+}
+
+// Nothing is begun yet that would have to be kept.
+TEST_F(Attack, AReadingEndsWithTheSignal) {
+  std::string rows = "theta [deg],E [GPa]\n";
+  while (rows.size() < 15'000'000) rows += "0,20\n45,22\n90,30\n";
+  write("table.csv", rows);
+  const pid_t child = start({"calibrate", write("rock.toml", "data = \"table.csv\"\n"), "--out", out()});
+  ::usleep(200'000);
+  int status = 0;
+  if (::waitpid(child, &status, WNOHANG) != 0) GTEST_SKIP() << "read before it could be stopped";
+  const auto begin = std::chrono::steady_clock::now();
+  ::kill(child, SIGTERM);
+  while (::waitpid(child, &status, WNOHANG) == 0 &&
+         std::chrono::steady_clock::now() - begin < std::chrono::seconds(20))
+    ::usleep(10'000);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
+  EXPECT_TRUE(WIFSIGNALED(status)) << status;
+  EXPECT_FALSE(fs::exists(out()));
+  ::kill(child, SIGKILL);
 }
 
 TEST_F(Attack, TheTerminalObeysNoResult) {

@@ -230,6 +230,45 @@ TEST_F(Install, FilesAreWhereTheyBelongAndTheProgramRunsThere) {
   }
 }
 
+// Of everything that the program holds, and every text that its holder asks to be handed on.
+TEST_F(Install, TheLicencesOfWhatTheProgramContainsAreShown) {
+  ASSERT_EQ(run("--licences"), 0) << output;
+  EXPECT_EQ(output, slurp(fs::path(PHY_SOURCE_DIR) / "packaging/copyright"));
+  for (const char* library : {"CLI11", "xxHash", "toml++", "nlohmann-json", "fmt", "Eigen", "Boost", "SQLite",
+                              "libzip", "pugixml", "zlib", "Observable", "D3"})
+    EXPECT_THAT(output, HasSubstr(library));
+  std::set<std::string> named, told;
+  const std::regex field("(?:^|\\n)License: ([^\\n]*)");
+  for (auto m = std::sregex_iterator(output.begin(), output.end(), field); m != std::sregex_iterator(); ++m) {
+    std::istringstream words((*m)[1]);
+    const bool with_text = output.compare(m->position() + m->length(), 2, "\n ") == 0;
+    for (std::string word; words >> word;)
+      if (word != "and") (with_text ? told : named).insert(word);
+  }
+  EXPECT_GE(named.size(), 7U);
+  EXPECT_EQ(named, told);
+  // The pages carry those of their parts by themselves: whoever gets a report has no other file.
+  for (const char* name : {"web/report.html", "web/lab.html"})
+    EXPECT_THAT(slurp(fs::path(PHY_SOURCE_DIR) / name),
+                HasSubstr("<!-- " + slurp(fs::path(PHY_SOURCE_DIR) / "web/LICENCES").substr(0, 2500)))
+        << name;
+}
+
+TEST_F(Install, TheProgramIsGuardedAndTellsNoFolder) {
+  if (!has("readelf")) GTEST_SKIP() << "no readelf here";
+  ASSERT_EQ(run_line("readelf -Wdl " PHY_PROGRAM), 0);
+  EXPECT_THAT(output, HasSubstr("GNU_RELRO"));
+  EXPECT_THAT(output, testing::ContainsRegex("BIND_NOW|Flags: NOW"));
+  EXPECT_THAT(output, HasSubstr("DYN"));                           // can be loaded anywhere
+  EXPECT_THAT(output, testing::ContainsRegex("GNU_STACK.* RW "));  // and runs no data
+  EXPECT_EQ(slurp(PHY_PROGRAM).find(PHY_SOURCE_DIR "/"), std::string::npos);
+#ifdef PHY_GUARDED
+  ASSERT_EQ(run_line("readelf -W --dyn-syms " PHY_PROGRAM), 0);
+  EXPECT_THAT(output, HasSubstr("__stack_chk_fail"));
+  EXPECT_THAT(output, testing::ContainsRegex("__mem(cpy|move|set)_chk|__read_chk|__s?n?printf_chk"));
+#endif
+}
+
 TEST_F(Install, ThereIsOneVersion) {
   const fs::path root = PHY_SOURCE_DIR;
   const auto found = [&](const std::string& text, const std::string& expression) {
