@@ -267,6 +267,7 @@ Json Desk::calibration(const std::string& name) {
           {"next", next_calibration_of(name)},
           {"here", here},
           {"progress", std::move(progress)},
+          {"seconds", process != 0 ? Json(jobs::seconds_since_lock(folder)) : Json(nullptr)},
           {"log", tail(log)},
           {"verdict", value_in(result, {"verdict"})},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
@@ -295,6 +296,7 @@ Json Desk::test(const std::string& rock, const std::string& name) {
           {"command", command_of({"run", recipe, "--out", folder})},
           {"log", tail(content(log_of(folder)))},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
+          {"seconds", state == "running" ? Json(jobs::seconds_since_lock(folder)) : Json(nullptr)},
           {"files", std::move(files)},
           {"specimens", std::move(specimens)}};
 }
@@ -382,7 +384,8 @@ Json Desk::run_test(const Json& asked) {
       asked.at("toml").is_null() ? io::read_file(recipe) : asked.at("toml").get<std::string>();
   if (process_in(folder) != 0 || (exists(recipe) && content(recipe) != toml))
     throw InputError(Problem{"", "name", name, "a name that is free", "a test of this name is there"});
-  io::parse_recipe(toml, recipe);  // throws: a recipe that cannot run takes no name
+  // throws: a recipe that cannot run, or lacks what its test keeps, takes no name
+  if (const auto missing = missing_stress(io::parse_recipe(toml, recipe))) throw InputError(*missing);
   check_inside(folder);
   if (!exists(recipe)) io::write_file(recipe, toml);
   return start({"run", recipe, "--out", folder}, folder);

@@ -2,7 +2,11 @@
 #pragma once
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+
+#include "base/check.hpp"
+#include "records/recipe.hpp"
 
 namespace phy::desk {
 
@@ -11,6 +15,10 @@ using Json = nlohmann::ordered_json;
 /// The keys that a test may choose, and the laboratory tests: what a form is made of, from the one list.
 Json keys_json();
 Json kinds_json();
+
+/// Of a test that keeps a stress on the specimen: that it has none. A recipe may say 0; chosen in a form, it
+/// is a field that has been forgotten.
+std::optional<Problem> missing_stress(const Recipe& recipe);
 
 /// The recipe of a file with other values: path of a key to what would stand behind it in a recipe. Answers
 /// the finished text, or what is wrong with which key. Throws what io::read_recipe throws.
