@@ -203,14 +203,15 @@ test("a block without headings goes where it is pasted", async () => {
 test("the answer to an older text is never shown as that to the text that stands there", async () => {
   const page = await open();
   await page.getByText("No problems").waitFor();
+  const asked = [];
   await page.route("**/api/check", async (route) => {
     const answer = await route.fetch();
-    await new Promise((next) => setTimeout(next, 1500));
-    await route.fulfill({ response: answer }).catch(() => {});
+    await new Promise((go) => asked.push(go));
+    await route.fulfill({ response: answer });
   });
   const wrong = cell(page, 1, 1);
   await wrong.fill("abc");
-  await page.waitForTimeout(900); // asked, not answered
+  await within(10, () => asked.length === 1);
   const seen = await page.evaluateHandle(() => {
     const words = new Set();
     const look = () => words.add(`${document.querySelector("#check .state").textContent}`);
@@ -218,6 +219,10 @@ test("the answer to an older text is never shown as that to the text that stands
     return words;
   });
   await wrong.fill("9,1");
+  asked[0](); // within the time in which the page waits for more typing
+  await within(10, () => asked.length === 2);
+  assert.match(await page.locator("#check .state").textContent(), /Checking/);
+  asked[1]();
   await within(10, async () => (await page.locator("#check .state").textContent()).trim() === "No problems in the table and the rock file.");
   const words = await seen.evaluate((w) => [...w]);
   assert.ok(!words.some((w) => w.includes("to mend")), words.join(" | "));

@@ -179,7 +179,7 @@ export function overAngle(report: Report, width: number, o: AngleOptions): SVGSV
     high: (p.mean + (1.96 * p.sd) / Math.sqrt(p.n)) * o.factor,
   }));
   const beside = (d: { theta: number; value: number }) =>
-    points.filter((p) => p.theta === d.theta).flatMap((p) => [`laboratory ${inWords(p.value, o.label)} (95 %: ${p.low.toPrecision(3)} … ${p.high.toPrecision(3)})`, missedBy(d.value, p.value, o.property === "nu")]);
+    points.filter((p) => p.theta === d.theta).flatMap((p) => [`laboratory ${inWords(p.value, o.label)}`, `its 95 %: ${p.low.toPrecision(3)} … ${p.high.toPrecision(3)}`, missedBy(d.value, p.value, o.property === "nu")]);
   const top = Math.max(1e-12, ...[...model, ...intact, ...theory].map((d) => d.value), ...points.map((p) => p.high));
   const far = Math.max(90, ...model.map((m) => m.theta));
   return Plot.plot({
@@ -291,10 +291,11 @@ export function comparison(c: Compared, factor: number, label: string, width: nu
     const [measured, interval] = [lab.find((l) => l.theta === theta)!, band.find((b) => b.theta === theta)];
     const range = (low: number, high: number) => `${low.toPrecision(3)} … ${high.toPrecision(3)} ${unitOf(label)}`.trim();
     return [
-      `model at ${theta}°: ${inWords(value, label)}`,
-      `laboratory ${inWords(measured.value, label)}, 95 % of the mean ${range(measured.value - measured.half, measured.value + measured.half)}`,
+      `model ${inWords(value, label)} at ${theta}°`,
+      `laboratory ${inWords(measured.value, label)}`,
+      `its 95 %: ${range(measured.value - measured.half, measured.value + measured.half)}`,
       missedBy(value, measured.value, of.property === "nu"),
-      interval && `${of.low !== null ? "95 % of the rock by the fit" : "± standard deviation of the packings"} ${range(interval.low!, interval.high!)}`,
+      interval && `${of.low !== null ? "fit, 95 %" : "packings, ± SD"}: ${range(interval.low!, interval.high!)}`,
     ].filter(Boolean).join("\n");
   };
   return Plot.plot({
