@@ -115,16 +115,19 @@ Json recipe_answer(const std::string& base, const std::map<std::string, std::str
     if (!take(*field, value_of(text), recipe, remedy))
       problem(path, "expected " + range_text(*field) + (remedy.empty() ? "" : "; " + remedy));
   }
-  if (problems.empty()) {
-    std::vector<Problem> wrong = cross_checks(recipe, [](const std::string&) { return std::string(); });
-    if (const auto missing = missing_stress(recipe)) wrong.push_back(*missing);
-    for (Problem& p : wrong) {
-      const std::string key = std::exchange(p.key, "");
-      problem(key, to_line(p));
-    }
-  }
-  return {{"toml", problems.empty() ? Json(io::write_recipe(recipe)) : Json(nullptr)},
-          {"problems", problems}};
+  const auto problem_of = [&](Problem p) {
+    const std::string key = std::exchange(p.key, "");
+    problem(key, to_line(p));
+  };
+  if (problems.empty())
+    for (const Problem& p : cross_checks(recipe, [](const std::string&) { return std::string(); }))
+      problem_of(p);
+  Json toml = problems.empty() ? Json(io::write_recipe(recipe)) : Json(nullptr);
+  const auto missing = missing_stress(recipe);
+  if (missing &&
+      std::none_of(problems.begin(), problems.end(), [&](const Json& p) { return p["key"] == missing->key; }))
+    problem_of(*missing);
+  return {{"toml", std::move(toml)}, {"problems", std::move(problems)}};
 }
 
 }  // namespace phy::desk

@@ -21,7 +21,8 @@ Json kinds_json();
 std::optional<Problem> missing_stress(const Recipe& recipe);
 
 /// The recipe of a file with other values: path of a key to what would stand behind it in a recipe. Answers
-/// the finished text, or what is wrong with which key. Throws what io::read_recipe throws.
+/// the finished text, and what is wrong with which key: a wrong value leaves no text, a missing stress does.
+/// Throws what io::read_recipe throws.
 Json recipe_answer(const std::string& base, const std::map<std::string, std::string>& changes);
 
 }  // namespace phy::desk

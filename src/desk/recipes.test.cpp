@@ -55,6 +55,9 @@ TEST_F(RecipesTest, ATestUnderAStressAsksForIt) {
       EXPECT_EQ(answer["problems"][0]["key"], key);
       EXPECT_THAT(answer["problems"][0]["text"].get<std::string>(), HasSubstr("a stress above 0"));
     }
+  EXPECT_EQ(
+      recipe_answer(base, {{"test.kind", "biaxial"}, {"test.confining_stress", "much"}})["problems"].size(),
+      1U);
   EXPECT_TRUE(recipe_answer(base, {{"test.kind", "uniaxial"}})["problems"].empty());
 }
 

@@ -46,7 +46,10 @@ before(async () => {
 });
 
 after(async () => {
-  for (const context of contexts) await context.close();
+  for (const context of contexts) {
+    for (const page of context.pages()) await page.unrouteAll({ behavior: "ignoreErrors" }); // answers that are still under way
+    await context.close();
+  }
   await browser?.close();
   program?.removeAllListeners("exit");
   program?.kill("SIGINT");
@@ -255,6 +258,7 @@ test("a confined test is found by its common name, asks for MPa and refuses none
   await kind.selectOption({ label: "triaxial / confined (biaxial)" });
   const stress = page.getByRole("textbox", { name: "Confining stress [MPa]" });
   assert.equal(await stress.inputValue(), "");
+  await within(10, async () => (await page.getByRole("textbox", { name: "Recipe" }).inputValue()).includes('kind = "biaxial"'));
   await page.locator(".objection", { hasText: "expected a stress above 0, such as 10 MPa" }).first().waitFor();
   for (const none of ["0", "0 MPa", "0,0"]) {
     await stress.fill(none);

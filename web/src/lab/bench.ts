@@ -19,7 +19,7 @@ const alsoCalled: Record<string, string> = { uniaxial: "uniaxial compression (UC
 const always = ["test.angles", "test.intact"];
 
 interface Recipe {
-  toml: string | null; // null: there are problems
+  toml: string | null; // null: a value is wrong
   problems: { key: string; text: string }[];
 }
 
@@ -147,7 +147,9 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   function control(k: Key) {
     const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v), { placeholder: isKept(k) ? "such as 10" : "not given" });
     const problem = h("p", { class: "objection" });
-    const hint = isKept(k) ? [k.meaning, "above 0; in MPa, or with another unit"] : [k.meaning, k.range.replaceAll("<=", "≤")];
+    const [only, another] = kindsOf(k, kinds); // it is seen with that kind of test alone
+    const meaning = only && !another ? k.meaning.replace(`${only}: `, "") : k.meaning;
+    const hint = [meaning, isKept(k) ? "above 0; in MPa, or with another unit" : k.range.replaceAll("<=", "≤")];
     const name = label(k.path) + (isKept(k) ? " [MPa]" : "");
     return { key: k, node, problem, place: h("div", {}, field(name, node, h("span", { title: k.path }, hint.filter(Boolean).join("; "))), problem) };
   }

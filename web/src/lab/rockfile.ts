@@ -40,7 +40,7 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
   };
   const chosen = (key: "E_is" | "layers" | "matrix", label: string): HTMLElement => {
     const options = project.choices[key];
-    const words = (o: string) => (o === "choose" ? "the calibration chooses" : o.replaceAll("_", " "));
+    const words = (o: string) => (o === "choose" ? "the best model" : o.replaceAll("_", " "));
     const node = select([["", `not given: ${words(options[0])}`], ...options.map((o): [string, string] => [o, words(o)])], (v) => change("", key, v));
     return entered("", key, node, label);
   };
