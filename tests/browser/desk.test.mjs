@@ -132,6 +132,16 @@ test("a test that runs has a clock and a bar", async () => {
   assert.equal(await article.getByRole("progressbar").evaluate((b) => b.matches(":indeterminate")), true);
 });
 
+test("what speaks against a number is said as a reason", async () => {
+  const notes = ["kinetic_ratio 0.021, above 0.01: the specimen is in motion, not in equilibrium"];
+  const specimen = { specimen: "intact", theta: null, status: "peaked", strength: "UCS", value: 4e7, unit: "Pa", grade: "warning", notes };
+  const ended = { name: "press", state: "finished", command: "phyllite run", log: "", exit_code: 0, seconds: null, files: [], specimens: [specimen] };
+  const page = await open({ changed: (a) => ({ ...a, tests: [ended] }) });
+  const row = page.getByRole("article", { name: "Test press" }).getByRole("row", { name: /intact/ });
+  assert.match(await row.textContent(), /40\.00 MPa, warning\s*the specimen is in motion, not in equilibrium \(kinetic ratio 0\.021, above 0\.01\)/);
+  assert.equal(await page.getByRole("article", { name: "Test press" }).getByRole("progressbar").isVisible(), false);
+});
+
 test("axes of the curve in the press stay while it grows and when the next specimen begins", async () => {
   const curve = (n, top) => ({ specimen: "theta = 0 deg", test: "uniaxial", strain: Array.from({ length: n }, (_, i) => 1e-4 * (i + 1)), stress: Array.from({ length: n }, (_, i) => (top * 1e6 * (i + 1)) / n) });
   let pressed = curve(30, 55);

@@ -254,9 +254,12 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   };
 }
 
+/** "kinetic_ratio 0.02, above 0.01: why" with the reason first. */
+const reasonFirst = (note: string) => note.replace(/^(\w+) ([^:]+): (.*)$/s, (_, number: string, found: string, why: string) => `${why} (${number.replaceAll("_", " ")} ${found})`);
+
 /** A number that is not to be trusted says so where it stands. */
 function value(s: Tested): Child {
-  const notes = (s.notes ?? []).join("; ");
+  const notes = (s.notes ?? []).map(reasonFirst).join("; ");
   const doubt = s.grade && s.grade !== "good" ? `, ${s.grade}` : "";
   const [factor, name] = s.value != null && s.unit ? readable(s.value, s.unit) : [1, ""];
   const number = s.value != null && s.unit ? `${(s.value * factor).toPrecision(4)} ${name}`.trim() : "–";
