@@ -208,6 +208,10 @@ test("a block without headings goes where it is pasted", async () => {
     assert.equal(await cell(page, 3, 3).inputValue(), "102,5");
     await page.getByRole("button", { name: "Undo" }).click();
   }
+  await paste(page, 2, 3, "UCS [MPa]\n80\n90\n95"); // one column, wherever in it
+  await within(5, async () => (await cell(page, 1, 3).inputValue()) === "80");
+  assert.deepEqual([await cell(page, 0, 3).inputValue(), await cell(page, 3, 3).inputValue(), await cell(page, 3, 0).inputValue()], ["UCS [MPa]", "95", "90"]);
+  await page.getByRole("button", { name: "Undo" }).click();
   await paste(page, 0, 7, "BTS [MPa]\tn\n4,1\t3"); // on the headings: columns are added
   await within(5, async () => (await cell(page, 1, 8).inputValue()) === "3");
   assert.equal(await cell(page, 3, 3).inputValue(), "102,5");

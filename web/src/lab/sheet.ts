@@ -183,15 +183,16 @@ export interface Pasted {
   replaced: boolean; // values that stood there
 }
 
-/** A block that begins with headings is a table of its own, wherever it is put: it takes the place of the one there. On the
- *  headings, right of the first, it adds columns. `known`: names that a column may have. */
+/** A block that begins with headings is a table of its own, wherever it is put: it takes the place of the one there. One
+ *  column goes under its heading, and on the headings, right of the first, a block adds columns. `known`: names that a column may have. */
 export function paste(text: string, line: number, column: number, block: string[][], known: string[]): Pasted {
   const now = read(text);
   const blank = now.lines.every((l) => l.kind !== "row" || l.cells.slice(1).every((c) => c === "")); // angles in the first column are no values
   const at = headingRow(block, known);
   const table = block.slice(Math.max(0, at));
   const first = line === now.header && column === 0;
-  if (at >= 0 && table.length === 1 && !blank) return { text: fill(text, now.header, first ? 0 : column, table), replaced: false };
+  const part = table.length === 1 || table.every((r) => r.length === 1); // headings alone, or one column: no table of its own
+  if (at >= 0 && part && !blank) return { text: fill(text, now.header, column, table), replaced: false };
   if ((at >= 0 && (blank || line !== now.header || column === 0)) || (first && blank && block.length > 1)) {
     const above = block.slice(0, Math.max(0, at)).filter((r) => filledCells(r).length > 0);
     const notes = [...now.lines.slice(0, now.header).map((l) => l.raw), ...above.map((r) => (isNote(r) ? r[0] : `# ${filledCells(r).join(" ")}`))];
