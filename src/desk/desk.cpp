@@ -290,6 +290,7 @@ Json Desk::calibration(const std::string& name) {
           {"command", here ? log.command : command_of(jobs::words_of(next))},
           {"folder", folder},
           {"next", next_calibration_of(name)},
+          {"seconds", process != 0 ? Json(jobs::seconds_since_lock(folder)) : Json(nullptr)},
           {"here", here},
           {"progress", std::move(progress)},
           {"log", log.tail},
@@ -320,6 +321,7 @@ Json Desk::test(const std::string& rock, const std::string& name) {
           {"command", command_of({"run", recipe, "--out", folder})},
           {"log", log_in(log_of(folder)).tail},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
+          {"seconds", state == "running" ? Json(jobs::seconds_since_lock(folder)) : Json(nullptr)},
           {"files", std::move(files)},
           {"specimens", std::move(specimens)}};
 }
@@ -419,7 +421,8 @@ Json Desk::run_test(const Json& asked) {
                                                       : asked.at("toml").get<std::string>();
   if (work_in(folder).process != 0 || (exists(recipe) && io::read_if_file(recipe) != toml))
     throw InputError(Problem{"", "name", name, "a name that is free", "a test of this name is there"});
-  io::parse_recipe(toml, recipe);  // throws: a recipe that cannot run takes no name
+  // throws: a recipe that cannot run, or lacks what its test keeps, takes no name
+  if (const auto missing = missing_stress(io::parse_recipe(toml, recipe))) throw InputError(*missing);
   check_inside(folder);
   if (!exists(recipe)) io::write_file(recipe, toml);
   return start({"run", recipe, "--out", folder}, folder);

@@ -1,6 +1,7 @@
 #include "desk/recipes.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/document.hpp"
 #include "io/toml_in.hpp"
@@ -58,7 +59,18 @@ bool take(const Field& field, const io::TomlValue& value, Recipe& recipe, std::s
   return true;
 }
 
+/// Path of the key of the stress that a test keeps.
+std::string kept_key(const TestDescription& test) {
+  return std::string(test_table) + "." + test.kept_stress.key;
+}
+
 }  // namespace
+
+std::optional<Problem> missing_stress(const Recipe& recipe) {
+  const TestDescription& test = *recipe.test.kind;
+  if (test.kept_stress.value == nullptr || recipe.test.*test.kept_stress.value > 0.0) return {};
+  return Problem{"", kept_key(test), "", "a stress above 0, such as 10 MPa", ""};
+}
 
 Json keys_json() {
   Json keys = Json::array();
@@ -80,7 +92,9 @@ Json kinds_json() {
   for (const TestDescription* test : laboratory_tests()) {
     std::string title = test->name;
     std::replace(title.begin(), title.end(), '_', ' ');
-    kinds.push_back({{"name", test->name}, {"title", title}});
+    Json kind = {{"name", test->name}, {"title", title}};
+    if (test->kept_stress.value != nullptr) kind["kept_stress"] = kept_key(*test);
+    kinds.push_back(std::move(kind));
   }
   return kinds;
 }
@@ -101,14 +115,19 @@ Json recipe_answer(const std::string& base, const std::map<std::string, std::str
     if (!take(*field, value_of(text), recipe, remedy))
       problem(path, "expected " + range_text(*field) + (remedy.empty() ? "" : "; " + remedy));
   }
+  const auto problem_of = [&](Problem p) {
+    const std::string key = std::exchange(p.key, "");
+    problem(key, to_line(p));
+  };
   if (problems.empty())
-    for (Problem& p : cross_checks(recipe, [](const std::string&) { return std::string(); })) {
-      const std::string key = p.key;
-      p.key.clear();
-      problem(key, to_line(p));
-    }
-  return {{"toml", problems.empty() ? Json(io::write_recipe(recipe)) : Json(nullptr)},
-          {"problems", problems}};
+    for (const Problem& p : cross_checks(recipe, [](const std::string&) { return std::string(); }))
+      problem_of(p);
+  Json toml = problems.empty() ? Json(io::write_recipe(recipe)) : Json(nullptr);
+  const auto missing = missing_stress(recipe);
+  if (missing &&
+      std::none_of(problems.begin(), problems.end(), [&](const Json& p) { return p["key"] == missing->key; }))
+    problem_of(*missing);
+  return {{"toml", std::move(toml)}, {"problems", std::move(problems)}};
 }
 
 }  // namespace phy::desk

@@ -2,7 +2,11 @@
 #pragma once
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+
+#include "base/check.hpp"
+#include "records/recipe.hpp"
 
 namespace phy::desk {
 
@@ -12,8 +16,13 @@ using Json = nlohmann::ordered_json;
 Json keys_json();
 Json kinds_json();
 
+/// Of a test that keeps a stress on the specimen: that it has none. A recipe may say 0; chosen in a form, it
+/// is a field that has been forgotten.
+std::optional<Problem> missing_stress(const Recipe& recipe);
+
 /// The recipe of a file with other values: path of a key to what would stand behind it in a recipe. Answers
-/// the finished text, or what is wrong with which key. Throws what io::read_recipe throws.
+/// the finished text, and what is wrong with which key: a wrong value leaves no text, a missing stress does.
+/// Throws what io::read_recipe throws.
 Json recipe_answer(const std::string& base, const std::map<std::string, std::string>& changes);
 
 }  // namespace phy::desk

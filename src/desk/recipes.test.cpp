@@ -37,9 +37,28 @@ TEST_F(RecipesTest, ChoicesBecomeAFinishedRecipe) {
 
 TEST_F(RecipesTest, EveryTestCanBeChosen) {
   for (const TestDescription* test : laboratory_tests()) {
-    const Json answer = recipe_answer(base, {{"test.kind", test->name}, {"test.angles", "[\"30 deg\"]"}});
+    std::map<std::string, std::string> chosen = {{"test.kind", test->name}, {"test.angles", "[\"30 deg\"]"}};
+    if (test->kept_stress.value != nullptr) chosen[std::string("test.") + test->kept_stress.key] = "5 MPa";
+    const Json answer = recipe_answer(base, chosen);
     EXPECT_TRUE(answer["problems"].empty()) << test->name << answer["problems"];
   }
+}
+
+TEST_F(RecipesTest, ATestUnderAStressAsksForIt) {
+  for (const auto& [kind, key] :
+       {std::pair("biaxial", "test.confining_stress"), std::pair("direct_shear", "test.normal_stress")})
+    for (const char* given : {"", "0 MPa"}) {
+      std::map<std::string, std::string> chosen = {{"test.kind", kind}};
+      if (*given != '\0') chosen[key] = given;
+      const Json answer = recipe_answer(base, chosen);
+      ASSERT_EQ(answer["problems"].size(), 1U) << answer;
+      EXPECT_EQ(answer["problems"][0]["key"], key);
+      EXPECT_THAT(answer["problems"][0]["text"].get<std::string>(), HasSubstr("a stress above 0"));
+    }
+  EXPECT_EQ(
+      recipe_answer(base, {{"test.kind", "biaxial"}, {"test.confining_stress", "much"}})["problems"].size(),
+      1U);
+  EXPECT_TRUE(recipe_answer(base, {{"test.kind", "uniaxial"}})["problems"].empty());
 }
 
 TEST_F(RecipesTest, WhatIsWrongIsSaidOfItsKey) {

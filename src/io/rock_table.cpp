@@ -197,7 +197,7 @@ class ReadingReader {
     return day ? "a day or an hour: did the spreadsheet take 1.5 for the first of May? Type it again in a "
                  "cell that has "
                  "the format of a number"
-               : "write digits and a point alone, no sign, limit, +- or blanks between digits; leave the "
+               : "write the number alone, no sign, limit, +- or blanks between digits; leave the "
                  "cell empty "
                  "only where nothing was measured";
   }

@@ -13,7 +13,7 @@ namespace phy::jobs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::chrono::seconds period{1}, patience{3};
+constexpr std::chrono::seconds period{1};
 constexpr std::size_t most_points = 400;  // of a curve on a screen
 
 void keep_every_second(std::vector<double>& values) {
@@ -23,8 +23,10 @@ void keep_every_second(std::vector<double>& values) {
 
 }  // namespace
 
-CalibrationWatch::CalibrationWatch(const std::string& folder)
-    : file_((std::filesystem::path(folder) / watch_file).string()), start_(Clock::now()) {
+CalibrationWatch::CalibrationWatch(const std::string& folder, std::chrono::seconds patience)
+    : file_((std::filesystem::path(folder) / watch_file).string()),
+      patience_(patience),
+      start_(Clock::now()) {
   write_now();
 }
 
@@ -35,7 +37,7 @@ CalibrationWatch::~CalibrationWatch() {
 void CalibrationWatch::say(const std::string& text) {
   const std::lock_guard lock(mutex_);
   said_.push_back(text);
-  tests_ = {}, pressed_ = {};
+  end_stage();
   write_now();
 }
 
@@ -57,28 +59,28 @@ void CalibrationWatch::estimates(const std::vector<ParameterEstimate>& parameter
   write_now();
 }
 
-void CalibrationWatch::begin_test(const Recipe& test) {
-  pressed_ = {&test, specimen_names(test).front(), test.test.kind->name, {}, {}, Clock::now()};
+/// Nothing is shown until a test is heard again; one that runs on keeps its beginning.
+void CalibrationWatch::end_stage() {
+  tests_ = {}, shown_ = nullptr;
+  std::erase_if(pressed_, [&](const auto& p) { return Clock::now() - p.second.heard >= patience_; });
 }
 
 void CalibrationWatch::reading(const Recipe& test, double strain, double stress) {
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
-  if (&test != pressed_.test) {
-    if (pressed_.test != nullptr && now - pressed_.heard < patience) return;
-    begin_test(test);
-  }
-  if (!pressed_.strain.empty() && strain < pressed_.strain.back()) begin_test(test);  // it starts over
-  pressed_.heard = now;
-  pressed_.strain.push_back(strain), pressed_.stress.push_back(stress);
-  if (pressed_.strain.size() > most_points)
-    keep_every_second(pressed_.strain), keep_every_second(pressed_.stress);
-  write_soon();
+  Pressed& p = pressed_[&test];
+  if (p.strain.empty() || strain < p.strain.back())  // it starts, or another does at this address
+    p = {specimen_names(test).front(), test.test.kind->name, {}, {}, now};
+  p.heard = now;
+  p.strain.push_back(strain), p.stress.push_back(stress);
+  if (p.strain.size() > most_points) keep_every_second(p.strain), keep_every_second(p.stress);
+  if (shown_ == nullptr || now - pressed_[shown_].heard >= patience_) shown_ = &test;
+  if (shown_ == &test) write_soon();
 }
 
 void CalibrationWatch::end(const std::string& state) {
   const std::lock_guard lock(mutex_);
-  state_ = state, tests_ = {}, pressed_ = {};
+  state_ = state, end_stage();
   write_now();
 }
 
@@ -101,11 +103,10 @@ std::string CalibrationWatch::text() const {
                                {"box", {k.box_low, k.box_high}},
                                {"steps", std::move(steps)}});
   }
-  if (pressed_.test != nullptr)
-    j["pressed"] = {{"specimen", pressed_.name},
-                    {"test", pressed_.kind},
-                    {"strain", pressed_.strain},
-                    {"stress", pressed_.stress}};
+  if (shown_ != nullptr) {
+    const Pressed& p = pressed_.at(shown_);
+    j["pressed"] = {{"specimen", p.name}, {"test", p.kind}, {"strain", p.strain}, {"stress", p.stress}};
+  }
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,6 +3,7 @@
 // known of the parameters after every batch, and how the specimen does that is in the press.
 #pragma once
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -17,8 +18,9 @@ constexpr const char* watch_file = ".progress.json";
 /// All may be called from any thread. A file that cannot be written is no failure: nobody will see it.
 class CalibrationWatch {
  public:
-  /// `folder` is there. Writes at once.
-  explicit CalibrationWatch(const std::string& folder);
+  /// `folder` is there. Writes at once. A test that has not been heard of for `patience` is over.
+  explicit CalibrationWatch(const std::string& folder,
+                            std::chrono::seconds patience = std::chrono::seconds(3));
   /// Without an end the calibration has "failed".
   ~CalibrationWatch();
   CalibrationWatch(const CalibrationWatch&) = delete;
@@ -27,7 +29,8 @@ class CalibrationWatch {
   void tests(const calibrate::TestProgress& progress);
   /// None: those of before are another model's.
   void estimates(const std::vector<ParameterEstimate>& parameters);
-  /// Of all tests that run one is shown, from its beginning, until it ends or falls silent.
+  /// Of all tests that run one is shown, until it ends or falls silent, then the one that is heard next: the
+  /// curves of all are kept, so that each is shown from its beginning.
   void reading(const Recipe& test, double strain, double stress);
   /// The last that is written: "finished", or "stopped" by the user.
   void end(const std::string& state);
@@ -43,7 +46,6 @@ class CalibrationWatch {
     std::vector<Step> steps;
   };
   struct Pressed {
-    const Recipe* test = nullptr;  // of these tests, never followed
     std::string name, kind;
     std::vector<double> strain, stress;
     Clock::time_point heard;
@@ -54,13 +56,15 @@ class CalibrationWatch {
   std::vector<std::string> said_;
   std::vector<Known> known_;  // in the order of their first estimate
   calibrate::TestProgress tests_;
-  Pressed pressed_;
+  std::map<const Recipe*, Pressed> pressed_;  // the addresses are names: never followed
+  const Recipe* shown_ = nullptr;             // of these
+  std::chrono::seconds patience_;
   Clock::time_point start_, written_;
 
   std::string text() const;
   void write_now();
   void write_soon();
-  void begin_test(const Recipe& test);
+  void end_stage();
 };
 
 }  // namespace phy::jobs

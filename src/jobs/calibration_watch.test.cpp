@@ -70,6 +70,28 @@ TEST_F(CalibrationWatchTest, FollowsOneSpecimenFromItsBeginning) {
   EXPECT_THAT(pressed["strain"], ElementsAre(0.0005));
 }
 
+TEST_F(CalibrationWatchTest, TheNextSpecimenIsShownFromItsBeginning) {
+  CalibrationWatch watch(folder.string(), std::chrono::seconds(0));  // who has just been silent is over
+  Recipe first, second;
+  first.test.angles = {30.0}, second.test.angles = {60.0};
+  for (int i = 1; i <= 4; ++i)
+    watch.reading(first, 0.001 * i, 1e6 * i), watch.reading(second, 0.002 * i, 1e6);
+  watch.estimates({});  // writes
+  EXPECT_EQ(now()["pressed"]["specimen"], "theta = 60 deg");
+  EXPECT_THAT(now()["pressed"]["strain"], ElementsAre(0.002, 0.004, 0.006, 0.008));
+}
+
+TEST_F(CalibrationWatchTest, ATestThatRunsThroughAMessageKeepsItsBeginning) {
+  CalibrationWatch watch(folder.string());
+  const Recipe test;
+  watch.reading(test, 1e-3, 1e6);
+  watch.say("the next batch");
+  EXPECT_TRUE(now()["pressed"].is_null());
+  watch.reading(test, 2e-3, 2e6);
+  watch.estimates({});
+  EXPECT_THAT(now()["pressed"]["strain"], ElementsAre(1e-3, 2e-3));
+}
+
 TEST_F(CalibrationWatchTest, ALongCurveKeepsItsEnds) {
   CalibrationWatch watch(folder.string());
   const Recipe test;

@@ -24,4 +24,7 @@ class FolderLock {
 /// The process that works in a folder; 0: none; below 0: one of another machine.
 pid_t working_in(const std::string& folder);
 
+/// How long ago the last process began to work in a folder [s]; 0: none ever has.
+double seconds_since_lock(const std::string& folder);
+
 }  // namespace phy::jobs

@@ -5,6 +5,7 @@
 
 #include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
+#include "jobs/folder_lock.hpp"
 
 namespace phy::jobs {
 namespace {
@@ -35,6 +36,16 @@ TEST_F(FolderOfARun, HasOnePage) {
 TEST_F(FolderOfARun, IsNotThatOfACalibrationThatWasStopped) {
   io::write_file(at("folder/calibration-of.txt"), "");
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a calibration")));
+}
+
+TEST_F(FolderOfARun, TellsHowLongItIsWorkedIn) {
+  EXPECT_EQ(seconds_since_lock(folder.string()), 0.0);
+  using Time = std::filesystem::file_time_type::clock;
+  io::write_file(at(".lock"), "");
+  std::filesystem::last_write_time(at(".lock"), Time::now() - std::chrono::hours(1));  // by a run before
+  EXPECT_NEAR(seconds_since_lock(folder.string()), 3600.0, 60.0);
+  const FolderLock lock(folder.string());
+  EXPECT_LT(seconds_since_lock(folder.string()), 60.0);
 }
 
 TEST_F(FolderOfARun, IsNotThatOfAStudy) {

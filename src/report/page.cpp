@@ -114,6 +114,15 @@ Json variation_json(const Variation& v) {
   return {{"name", v.name}, {"parameters", parameters}};
 }
 
+/// What was done, for a heading: several runs of one rock differ in it alone.
+Json done_json(const Recipe& recipe) {
+  const TestDescription& test = *recipe.test.kind;
+  const KeptStress& kept = test.kept_stress;
+  return {{"kind", test.name},
+          {"kept", kept.value != nullptr ? Json(kept.key) : Json(nullptr)},
+          {"stress", kept.value != nullptr ? recipe.test.*kept.value : 0.0}};
+}
+
 Json report_json(const RunRecord& run, const PageExtras& extras) {
   Json j;
   const SpecimenRecord none;
@@ -121,6 +130,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
   j["axes"] = axes_json(first.recipe.test.kind->curve);
+  j["done"] = done_json(first.recipe);
   j["tests"] = Json::array();
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
   j["missing"] = Json::array();

@@ -45,6 +45,14 @@ async function open(result, options = {}) {
   return page;
 }
 
+const within = async (seconds, holds) => {
+  for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
+    if (await holds()) return;
+    await new Promise((next) => setTimeout(next, 50));
+  }
+  assert.ok(await holds(), String(holds));
+};
+
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Number of colours in an element as it is seen, and a fingerprint of all its pixels. */
@@ -225,14 +233,21 @@ test("a page says which specimens failed or are missing", async () => {
   assert.match(text, /theta_0_deg: missing/);
 });
 
-test("a calibration: verdict, what the data determine, laboratory beside model", async () => {
+/** A small calibration, laid down by hand. */
+function calibrated() {
   const result = join(folder, "calibration");
-  mkdirSync(result);
-  const row = (theta, model) => ({ property: "UCS", unit: "Pa", "theta [deg]": theta, laboratory: { mean: 60e6, sd: 3e6, n: 4, sd_assumed: false }, model, sd_of_packings: null, n_packings: 1, low: 0.9 * model, high: 1.1 * model });
+  mkdirSync(result, { recursive: true });
+  const of = (property, unit, scale) => (theta, laboratory, model) => ({ property, unit, "theta [deg]": theta, laboratory: { mean: laboratory * scale, sd: 0.05 * laboratory * scale, n: 4, sd_assumed: false }, model: model * scale, sd_of_packings: null, n_packings: 1, low: 0.9 * model * scale, high: 1.1 * model * scale });
+  const [ucs, nu] = [of("UCS", "Pa", 1e6), of("nu", "1", 1)];
   const parameter = (key, determined) => ({ key, symbol: key, unit: "Pa", value: 40.25e9, low: 35e9, high: 46e9, box: [1e9, 200e9], determined, next_test: determined ? undefined : "<b>tension</b>" });
-  const calibration = { format: 1, rock: hostile, verdict: { status: "calibrated except", sentence: "calibrated except: <u>cause</u>; next: a step", summary: ["UCS 12 % off at 45 degrees"], findings: ["<i>UCS(45)</i> is out by 12 %"] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [row(0, 57.5e6), row(45, 66e6)], verification: [], left_out: [], notes: ["a note"] };
+  const calibration = { format: 1, rock: hostile, verdict: { status: "calibrated except", sentence: "calibrated except: <u>cause</u>; next: a step", summary: ["UCS 12 % off at 45 degrees"], findings: ["<i>UCS(45)</i> is out by 12 %"] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [ucs(0, 60, 57.5), ucs(45, 60, 66), nu(0, 0.2, 0.21), nu(45, 0.2, 0.19)], verification: [], left_out: [], notes: ["a note"] };
   writeFileSync(join(result, "calibration.json"), JSON.stringify(calibration));
   report(result);
+  return result;
+}
+
+test("a calibration: verdict, what the data determine, laboratory beside model", async () => {
+  const result = calibrated();
   const page = await open(result);
   assert.deepEqual(page.trouble, []);
   assert.equal(await page.locator("h1").textContent(), hostile);
@@ -244,6 +259,191 @@ test("a calibration: verdict, what the data determine, laboratory beside model",
   const text = await page.locator("#calibration").textContent();
   for (const part of ["calibrated except", "<i>UCS(45)</i> is out by 12 %", "57.50", "-4.2", "40.25 GPa", "<b>tension</b>"]) assert.ok(text.includes(part), part);
   assert.ok((await seen(page, "#calibration figure svg")).colors > 12);
+});
+
+test("on paper names and numbers stay over their specimens, what is for the screen is left out, folds close again", async () => {
+  for (const width of [1400, 1920]) {
+    const page = await open(press, { viewport: { width, height: 900 } });
+    await page.addInitScript(() => { // a sheet is laid out without the page's doing
+      const Real = ResizeObserver;
+      window.ResizeObserver = class extends Real {
+        constructor(act) {
+          super((...seen) => window.onSheet || act(...seen));
+        }
+      };
+    });
+    await page.reload();
+    await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, { timeout: 60000 });
+    const part = () =>
+      page.evaluate(() => {
+        const view = document.querySelector("#view").getBoundingClientRect();
+        return [...document.querySelectorAll(".cells div")].map((d) => {
+          const box = d.getBoundingClientRect();
+          return [(box.left + box.width / 2 - view.left) / view.width, (box.top - view.top) / view.height, view.height / view.width];
+        });
+      });
+    const onScreen = await part();
+    assert.ok(onScreen.length >= 6);
+    const height = await page.evaluate(() => document.documentElement.scrollHeight);
+    const open_ = () => page.locator("details[open]").count();
+    assert.equal(await open_(), 0);
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    await page.evaluate(() => (window.onSheet = true));
+    assert.ok((await open_()) > 0);
+    await page.setViewportSize({ width: 1031, height: 703 }); // A4 across, less the margins
+    await page.emulateMedia({ media: "print" });
+    const onPaper = await part();
+    onPaper.forEach((p, i) => p.forEach((v, k) => assert.ok(Math.abs(v - onScreen[i][k]) < 0.03, `${i} ${k}: ${v} instead of ${onScreen[i][k]}`)));
+    assert.equal(await page.getByText("Slide through the test").isVisible(), false);
+    await page.emulateMedia({ media: "screen" });
+    await page.setViewportSize({ width, height: 900 });
+    await page.evaluate(() => (window.onSheet = false));
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await open_(), 0);
+    await within(5, async () => Math.abs((await page.evaluate(() => document.documentElement.scrollHeight)) - height) < 40);
+  }
+});
+
+test("a fold that the reader has opened stays open after printing", async () => {
+  const page = await open(press);
+  const fold = page.locator("details").first();
+  await fold.locator("summary").click();
+  await page.pdf();
+  assert.equal(await page.locator("details[open]").count(), 1);
+  assert.equal(await fold.evaluate((d) => d.open), true);
+});
+
+test("while specimens load they say so, on the screen and on paper; Ctrl+P waits for them", async () => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    window.printed = [];
+    window.print = () => window.printed.push(document.querySelectorAll(".cells .absent").length);
+    const Real = DecompressionStream; // a slow machine
+    let release;
+    const held = new Promise((go) => (release = go));
+    window.release = release;
+    window.DecompressionStream = class {
+      constructor(format) {
+        const real = new Real(format);
+        const gate = new TransformStream({ transform: async (chunk, to) => (await held, to.enqueue(chunk)) });
+        void real.readable.pipeTo(gate.writable);
+        this.writable = real.writable;
+        this.readable = gate.readable;
+      }
+    };
+  });
+  await page.goto(`file://${join(press, "report.html")}`);
+  const loading = page.locator(".cells .absent", { hasText: "loading" });
+  await within(20, async () => (await loading.count()) === 3);
+  const [view, word] = [await page.locator("#view").boundingBox(), await loading.first().boundingBox()];
+  assert.ok(word.y > view.y && word.y < view.y + view.height);
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await loading.first().isVisible(), true);
+  await page.emulateMedia({ media: "screen" });
+  await page.keyboard.press("Control+P");
+  assert.deepEqual(await page.evaluate(() => window.printed), []);
+  await page.evaluate(() => window.release());
+  await within(30, async () => (await page.evaluate(() => window.printed.length)) === 1);
+  assert.deepEqual(await page.evaluate(() => window.printed), [0], "all were drawn");
+  assert.equal(await loading.count(), 0);
+  await context.close();
+});
+
+test("charts that are not drawn yet are drawn for paper", async () => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    const real = window.setTimeout;
+    window.setTimeout = (act, ms, ...more) => (ms ? real(act, ms, ...more) : 0); // charts come one by one: none but the first here
+  });
+  await page.goto(`file://${join(press, "report.html")}`);
+  const missing = () => page.evaluate(() => [...document.querySelectorAll(".plot")].filter((p) => !p.querySelector("svg")).length);
+  assert.ok((await missing()) > 3);
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  assert.equal(await missing(), 0);
+  await context.close();
+});
+
+test("wherever the focus is, it is seen", async () => {
+  const page = await open(press);
+  const unseen = new Set();
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    const found = await page.evaluate(() => {
+      const e = document.activeElement;
+      const style = getComputedStyle(e);
+      return e === document.body || (style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2) ? "" : e.outerHTML.slice(0, 120);
+    });
+    if (found) unseen.add(found);
+  }
+  assert.deepEqual([...unseen], []);
+});
+
+/** Points at every mark of a chart, and takes what is said. */
+async function tips(page, chart) {
+  await chart.scrollIntoViewIfNeeded();
+  const centres = await chart.locator('g[aria-label="dot"]').last().locator("circle, path").evaluateAll((dots) => dots.map((d) => d.getBoundingClientRect()).map((b) => [b.left + b.width / 2, b.top + b.height / 2]));
+  const said = [];
+  for (const [x, y] of centres) {
+    await page.mouse.move(x + 1, y + 1);
+    await within(5, async () => (await chart.locator('g[aria-label="tip"] text').count()) > 0);
+    said.push((await chart.locator('g[aria-label="tip"] text tspan').allTextContents()).join("\n"));
+  }
+  return said;
+}
+
+test("tips of a calibration tell value and unit, laboratory, error and interval", async () => {
+  const page = await open(calibrated());
+  const said = await tips(page, page.locator("#calibration figure", { hasText: "UCS [MPa]" }).first());
+  assert.equal(said.length, 2);
+  const [first, second] = said;
+  for (const part of ["model 57.50 MPa at 0°", "laboratory 60.00 MPa", "57.1 … 62.9 MPa", "error −4.2 %", "51.8 … 63.3 MPa"]) assert.ok(first.includes(part), `${part} in ${first}`);
+  assert.ok(second.includes("error +10.0 %"), second);
+});
+
+test("tips of a run tell the unit", async () => {
+  const page = await open(press);
+  const said = await tips(page, page.locator("#anisotropy figure").first());
+  assert.ok(said.length >= 2 && said.every((s) => / GPa/.test(s)), said.join(" | "));
+});
+
+test("every sign is in the font of a bare Linux", async () => {
+  for (const result of [press, calibrated()]) {
+    const page = await open(result);
+    const texts = [await page.evaluate(() => document.body.innerText)];
+    if (result === press) {
+      await page.locator("#play").click();
+      assert.equal((await page.locator("#play").textContent()).trim(), "Pause");
+      assert.equal(await page.locator("#play").getAttribute("aria-label"), "Pause the test");
+      texts.push(await page.evaluate(() => document.body.innerText));
+    }
+    for (const sign of new Set(texts.join("").match(/[^\x00-\x7f]/gu))) {
+      const code = sign.codePointAt(0).toString(16);
+      assert.ok(execFileSync("fc-list", [`:family=DejaVu Sans:charset=${code}`], { encoding: "utf8" }) !== "", `U+${code}`);
+    }
+  }
+});
+
+test("one specimen and its slider are seen together", async () => {
+  for (const [width, height] of [[1400, 900], [1920, 1080], [1280, 600], [390, 844], [640, 450]]) {
+    const page = await open(press, { viewport: { width, height } });
+    await page.locator("#only").selectOption("1");
+    await page.locator("#view").evaluate((v) => scrollTo(0, v.getBoundingClientRect().top + scrollY - document.querySelector("nav").offsetHeight));
+    const [view, slider] = [await page.locator("#view").boundingBox(), await page.locator("#slider").boundingBox()];
+    assert.ok(view.y >= 0 && slider.y + slider.height <= height, JSON.stringify([width, height, view, slider]));
+    assert.ok(view.height > 200);
+  }
+});
+
+test("reports of several tests of one rock name them", async () => {
+  const confined = run("confined", recipe("one rock", small) + `kind = "biaxial"\nconfining_stress = "10 MPa"\nmax_strain = 1e-3\nangles = ["30 deg"]\n`);
+  report(confined);
+  const page = await open(confined);
+  assert.equal(await page.locator("h1").textContent(), "one rock");
+  assert.equal(await page.locator("#test").textContent(), "biaxial, confining stress 10 MPa, θ = 30°, intact");
+  assert.equal(await page.title(), "one rock – biaxial, confining stress 10 MPa, θ = 30°, intact – Phyllite report");
+  assert.equal(await (await open(press)).locator("#test").textContent(), "uniaxial, θ = 0°, 45°, intact");
 });
 
 test("a study: every parameter drawn, its numbers below", async () => {

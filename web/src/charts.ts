@@ -1,6 +1,7 @@
 // Charts as SVG (Observable Plot): they scale, follow light and dark through CSS colours, and print as vectors.
 import * as Plot from "@observablehq/plot";
 import { Axes, Comparison, Curve, LabPoint, Report, Spread, Test, crackKinds, lastUpTo } from "./data";
+import { unitOf } from "./units";
 
 export const base = {
   style: { background: "none", fontFamily: "inherit", fontSize: "12px", overflow: "visible" },
@@ -17,6 +18,12 @@ export const angles = (far: number, width: number) => {
   const step = width < 280 ? 30 : 15;
   return Array.from({ length: Math.floor(far / step) + 1 }, (_, i) => i * step);
 };
+
+/** A value of a chart in words. */
+const inWords = (v: number, label: string) => `${v.toPrecision(4)} ${unitOf(label)}`.trim();
+
+/** What a model misses the laboratory by: of a ratio the difference, else a share. */
+const missedBy = (model: number, mean: number, isRatio: boolean) => `error ${model < mean ? "−" : "+"}${isRatio ? Math.abs(model - mean).toFixed(3) : `${Math.abs(100 * (model / mean - 1)).toFixed(1)} %`}`;
 
 const value = (t: Test, name: string): number | null => t.numbers[name]?.value ?? null;
 
@@ -171,6 +178,8 @@ export function overAngle(report: Report, width: number, o: AngleOptions): SVGSV
     low: (p.mean - (1.96 * p.sd) / Math.sqrt(p.n)) * o.factor,
     high: (p.mean + (1.96 * p.sd) / Math.sqrt(p.n)) * o.factor,
   }));
+  const beside = (d: { theta: number; value: number }) =>
+    points.filter((p) => p.theta === d.theta).flatMap((p) => [`laboratory ${inWords(p.value, o.label)}`, `its 95 %: ${p.low.toPrecision(3)} … ${p.high.toPrecision(3)}`, missedBy(d.value, p.value, o.property === "nu")]);
   const top = Math.max(1e-12, ...[...model, ...intact, ...theory].map((d) => d.value), ...points.map((p) => p.high));
   const far = Math.max(90, ...model.map((m) => m.theta));
   return Plot.plot({
@@ -185,7 +194,7 @@ export function overAngle(report: Report, width: number, o: AngleOptions): SVGSV
       Plot.ruleX(points, { x: "theta", y1: "low", y2: "high", stroke: "var(--ink)", strokeWidth: 1.4 }),
       Plot.dot(points, { x: "theta", y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6 }),
       Plot.line(model, { x: "theta", y: "value", stroke: "var(--muted)", strokeOpacity: 0.6 }),
-      Plot.dot(model, { x: "theta", y: "value", fill: "color", r: 5, stroke: "var(--surface)", strokeWidth: 1.2, tip: true, title: (d) => `${d.name}\n${d.value.toPrecision(4)}` }),
+      Plot.dot(model, { x: "theta", y: "value", fill: "color", r: 5, stroke: "var(--surface)", strokeWidth: 1.2, tip: true, title: (d) => [`${d.name}: ${inWords(d.value, o.label)}`, ...beside(d)].join("\n") }),
     ],
   }) as SVGSVGElement;
 }
@@ -269,15 +278,26 @@ export interface Compared {
 }
 
 /** Laboratory, model with its 95 % band, theory and what was predicted unseen, for one property. */
-export function comparison(c: Compared, factor: number, width: number): SVGSVGElement | HTMLElement {
+export function comparison(c: Compared, factor: number, label: string, width: number): SVGSVGElement | HTMLElement {
   const theta = (r: Comparison) => r["theta [deg]"];
   const byAngle = <T extends { theta: number }>(some: T[]) => some.sort((a, b) => a.theta - b.theta);
   const lab = c.rows.map((r) => ({ theta: theta(r), value: r.laboratory.mean * factor, half: ((1.96 * r.laboratory.sd) / Math.sqrt(r.laboratory.n)) * factor }));
   const single = c.rows.flatMap((r) => (r.laboratory.specimens ?? []).map((v) => ({ theta: theta(r), value: v * factor })));
-  const model = byAngle(c.rows.filter((r) => r.model !== null).map((r) => ({ theta: theta(r), value: r.model! * factor })));
+  const model = byAngle(c.rows.filter((r) => r.model !== null).map((r) => ({ theta: theta(r), value: r.model! * factor, of: r })));
   const band = byAngle(c.fitted.filter((r) => r.model !== null).map((r) => ({ theta: theta(r), ...bounds(r, factor) }))).filter((b) => b.low !== null && b.high !== null);
   const unseen = c.leftOut.filter((r) => r.model !== null).map((r) => ({ theta: theta(r), value: r.model! * factor }));
   const theory = c.curve.theta.map((t, i) => ({ theta: t, value: c.curve.value[i] * factor }));
+  const told = ({ theta, value, of }: (typeof model)[number]) => {
+    const [measured, interval] = [lab.find((l) => l.theta === theta)!, band.find((b) => b.theta === theta)];
+    const range = (low: number, high: number) => `${low.toPrecision(3)} … ${high.toPrecision(3)} ${unitOf(label)}`.trim();
+    return [
+      `model ${inWords(value, label)} at ${theta}°`,
+      `laboratory ${inWords(measured.value, label)}`,
+      `its 95 %: ${range(measured.value - measured.half, measured.value + measured.half)}`,
+      missedBy(value, measured.value, of.property === "nu"),
+      interval && `${of.low !== null ? "fit, 95 %" : "packings, ± SD"}: ${range(interval.low!, interval.high!)}`,
+    ].filter(Boolean).join("\n");
+  };
   return Plot.plot({
     ...panel(width), // its heading says what is drawn
     marginTop: 12,
@@ -293,7 +313,7 @@ export function comparison(c: Compared, factor: number, width: number): SVGSVGEl
       Plot.dot(single, { x: "theta", y: "value", dx: -7, r: 2.2, fill: "var(--ink)", fillOpacity: 0.5 }),
       Plot.dot(lab, { x: "theta", y: "value", symbol: "diamond", r: 5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.5 }),
       Plot.dot(unseen, { x: "theta", y: "value", symbol: "times", dx: 7, r: 4, stroke: "var(--pull)", strokeWidth: 1.8 }),
-      Plot.dot(model, { x: "theta", y: "value", fill: "var(--accent)", r: 3.4, tip: true }),
+      Plot.dot(model, { x: "theta", y: "value", fill: "var(--accent)", r: 3.4, tip: true, title: told }),
     ],
   }) as SVGSVGElement;
 }
@@ -318,7 +338,7 @@ export function seriesChart(series: Series[], factor: number, labels: { x: strin
     marks: [
       Plot.line(points, { x: "x", y: "y", z: (d) => d.s.name, stroke: (d) => d.s.color, strokeWidth: (d) => (d.s.bold ? 2.8 : 1.6) }),
       Plot.ruleX(points.filter((p) => p.high > p.low), { x: "x", y1: "low", y2: "high", stroke: (d) => d.s.color, strokeWidth: 1.2 }),
-      Plot.dot(points, { x: "x", y: "y", fill: (d) => d.s.color, r: 4, stroke: "var(--surface)", tip: true, title: (d) => `${d.s.name}\n${d.y.toPrecision(4)} at ${d.x.toPrecision(3)}` }),
+      Plot.dot(points, { x: "x", y: "y", fill: (d) => d.s.color, r: 4, stroke: "var(--surface)", tip: true, title: (d) => `${d.s.name}\n${inWords(d.y, labels.y)}${d.high > d.low ? `, 95 %: ${d.low.toPrecision(3)} … ${d.high.toPrecision(3)}` : ""}\nat ${overAngles ? `${d.x}°` : `${d.x.toPrecision(3)} of the base`}` }),
     ],
   }) as SVGSVGElement;
 }

@@ -144,6 +144,7 @@ interface RawReport {
   name: string;
   program: string;
   axes: Axes;
+  done: { kind: string; kept: string | null; stress: number }; // test, and the stress [Pa] that it keeps, by its key
   tests: RawTest[];
   missing: { name: string; reason: string }[];
   curves: { E: Curve; nu: Curve; ucs: Curve };

@@ -127,7 +127,11 @@ function select(test: number | null) {
 }
 
 function playButton(): HTMLElement {
-  const button = h("button", { type: "button", id: "play", "aria-label": "Play the test" }, "▶ Play");
+  const button = h("button", { type: "button", id: "play" });
+  const show = (what: "Play" | "Pause") => {
+    button.replaceChildren(h("i", { class: what.toLowerCase(), "aria-hidden": "true" }), ` ${what}`); // drawn: not every font has the signs
+    button.setAttribute("aria-label", `${what} the test`);
+  };
   let running = false;
   let last = 0;
   const tick = (now: number) => {
@@ -140,14 +144,15 @@ function playButton(): HTMLElement {
   };
   const stop = () => {
     running = false;
-    button.textContent = "▶ Play";
+    show("Play");
   };
+  show("Play");
   button.addEventListener("click", () => {
     if (running) return stop();
     running = true;
     last = 0;
     if (position >= 1) moveTo(0);
-    button.textContent = "⏸ Pause";
+    show("Pause");
     requestAnimationFrame(tick);
   });
   return button;
@@ -295,7 +300,7 @@ function specimens() {
   });
   const transport = h("div", { class: "controls" }, h("div", { class: "transport" }, playButton(), slider, readout), labelled("Specimens", mode));
   const which = report.calibration ? "The calibrated rock on one packing that the fit has not seen; above are means over several. " : "";
-  const hint = h("p", { class: "muted" }, which + "Slide through the test; a click on a specimen brings its curve forward. Drag to pan, Ctrl + wheel or + and − to zoom.");
+  const hint = h("p", { class: "muted" }, which, h("span", { class: "screen" }, "Slide through the test; a click on a specimen brings its curve forward. Drag to pan, Ctrl + wheel or + and − to zoom."));
   const target = section("specimens", "Specimens", hint);
   if (!report.tests.some((t) => t.scene)) {
     target.append(h("p", { class: "notice" }, "These results hold no displacement fields (test.n_frames), so the specimens cannot be drawn."));
@@ -308,13 +313,17 @@ function specimens() {
       feet.length = 0;
       for (const cell of viewer!.cells) {
         const t = report.tests[cell.test];
-        const at = (top: number) => `left:${cell.left}px;width:${cell.width}px;top:${top}px`;
+        const part = (length: number, whole: number) => `${((100 * length) / Math.max(1, whole)).toFixed(3)}%`; // paper has another width
+        const [width, height] = [canvas.clientWidth, viewer!.height];
+        const at = (top: number) => `left:${part(cell.left, width)};width:${part(cell.width, width)};top:${part(top, height)}`;
         const foot = h("div", { class: "foot", style: at(cell.top + cell.height) });
         feet[cell.test] = foot;
+        const absent = viewer!.absent(cell.test);
         overlay.append(h("div", { class: "head", style: `${at(cell.top - headHeight)};color:${t.color}` }, heading(t)), foot);
+        if (absent) overlay.append(h("div", { class: "absent", style: at(cell.top + 0.45 * cell.height) }, absent));
       }
       update();
-    });
+    }, () => (document.querySelector("nav")?.offsetHeight ?? 0) + transport.offsetHeight + 24);
   } catch (error) {
     place.replaceWith(h("p", { class: "notice" }, `The specimens cannot be drawn: ${(error as Error).message}.`));
     return;
@@ -572,7 +581,7 @@ function compared(c: Calibration, test: string): HTMLElement {
   const curve = confined ? none : p === "E" ? report.curves.E : p === "UCS" ? report.curves.ucs : none;
   const data = { rows: of(judged(c)), fitted: of(c.fitted), leftOut: of(c.left_out), curve };
   const note = data.rows.length > 1 ? curve.note : null; // rock without layers has one angle
-  return chart(label + particulars(data.fitted[0]), note, (width) => comparison(data, factor, width));
+  return chart(label + particulars(data.fitted[0]), note, (width) => comparison(data, factor, label, width));
 }
 
 /** What the charts of a calibration hold: not every table has single specimens, nor every one a curve of theory. */
@@ -717,19 +726,47 @@ function colours() {
     viewer?.readColors();
     viewer?.draw();
   });
-  // Paper is light: the specimens are drawn with light colours for it, everything is unfolded.
+  // Paper is light: the specimens are drawn with light colours for it, everything is unfolded and drawn.
+  let folded: HTMLDetailsElement[] = [];
   addEventListener("beforeprint", () => {
     document.documentElement.dataset.theme = "light";
-    document.querySelectorAll("details").forEach((d) => (d.open = true));
+    folded = [...document.querySelectorAll<HTMLDetailsElement>("details:not([open])")];
+    folded.forEach((d) => (d.open = true));
+    redraw();
     viewer?.readColors();
     viewer?.drawNow();
   });
-  addEventListener("afterprint", apply);
+  addEventListener("afterprint", () => {
+    folded.forEach((d) => (d.open = false));
+    apply();
+  });
+}
+
+/** Ctrl+P waits for the specimens. A browser's menu does not ask: there the sheet says which are missing. */
+function printing(drawn: Promise<void>) {
+  const ready = () => document.documentElement.dataset.ready === "true";
+  addEventListener("keydown", (e) => {
+    if (!(e.ctrlKey || e.metaKey) || e.key.toLowerCase() !== "p" || ready()) return;
+    e.preventDefault();
+    void drawn.then(() => print());
+  });
+}
+
+/** What was tested: of one rock there are many reports. */
+function done(): string {
+  if (report.calibration || report.tests.length === 0) return "";
+  const { kind, kept, stress } = report.done;
+  const words = (name: string) => name.replaceAll("_", " ");
+  const angles = report.tests.filter((t) => t.theta !== null).map((t) => t.label);
+  const some = angles.length > 3 ? `${angles[0]} … ${angles[angles.length - 1]}` : angles.join(", ");
+  const specimens = [some && `θ = ${some}`, report.tests.some((t) => t.theta === null) && "intact"].filter(Boolean).join(", ");
+  return [words(kind), kept && `${words(kept)} ${+(1e-6 * stress).toPrecision(4)} MPa`, specimens].filter(Boolean).join(", ");
 }
 
 function start() {
-  document.title = `${report.name} – Phyllite report`;
+  document.title = [report.name, done(), "Phyllite report"].filter(Boolean).join(" – ");
   document.getElementById("title")!.textContent = report.name;
+  document.getElementById("test")!.textContent = done();
   const n = report.tests.length;
   const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
   const about = report.calibration ? "calibration" : report.variations.length > 0 ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
@@ -751,12 +788,13 @@ function start() {
   update();
   viewer?.layout();
   performance.mark("interactive");
-  drawRest()
+  const drawn = drawRest()
     .then(() => viewer?.load())
     .then(() => {
       document.documentElement.dataset.ready = "true";
       viewer?.layout();
     });
+  printing(drawn);
   // For tests: the script time of the last frames.
   (window as unknown as { phyllite: unknown }).phyllite = { viewer, moveTo, report };
 }

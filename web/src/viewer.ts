@@ -231,8 +231,10 @@ export interface Cell {
 export class Viewer {
   readonly state: ViewState = { field: "bedding", forces: false, cracks: true, magnify: 1, zoom: 1, x: 0, y: 0, only: null };
   cells: Cell[] = [];
+  height = 0; // of the canvas [CSS pixels]
   scriptTime: number[] = []; // milliseconds of the last frames
   private loaded: (Loaded | null)[];
+  private unreadable = new Set<number>();
   private gl: WebGL2RenderingContext;
   private disc: Program;
   private force: Program;
@@ -247,6 +249,7 @@ export class Viewer {
     readonly tests: Test[],
     private sign: number, // of recorded strains
     private onLayout: () => void,
+    private besides: () => number, // height of what is to be seen together with one specimen [CSS pixels]
   ) {
     const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
     if (!gl) throw new Error("this browser has no WebGL 2");
@@ -269,12 +272,17 @@ export class Viewer {
       try {
         this.loaded[i] = this.upload(this.tests[i], await readScene(id, this.sign));
       } catch (error) {
-        // A scene that cannot be read leaves an empty cell; the numbers of the specimen stand.
-        continue;
+        this.unreadable.add(i); // the numbers of the specimen stand
       }
       this.layout();
       await new Promise((done) => setTimeout(done));
     }
+  }
+
+  /** Why a specimen is not seen; "": it is. */
+  absent(test: number): string {
+    if (this.loaded[test]) return "";
+    return !this.tests[test].scene ? "no picture stored" : this.unreadable.has(test) ? "cannot be read" : "loading …";
   }
 
   /** Axial strain at which each specimen is shown. */
@@ -308,7 +316,7 @@ export class Viewer {
     const lines = Math.ceil(shown.length / columns);
     const even = Math.ceil(shown.length / lines);
     const cellWidth = width / even;
-    const limit = shown.length === 1 ? Math.max(420, window.innerHeight * 0.72) : 620;
+    const limit = shown.length === 1 ? Math.max(200, window.innerHeight - headHeight - footHeight - this.besides()) : 620;
     const cellHeight = Math.min(limit, cellWidth * aspect);
     this.cells = shown.map((test, k) => ({
       test,
@@ -318,7 +326,8 @@ export class Viewer {
       height: cellHeight,
     }));
     const height = lines * (cellHeight + headHeight + footHeight);
-    this.canvas.style.height = `${height}px`;
+    this.height = height;
+    this.canvas.style.aspectRatio = `${width} / ${height}`; // kept on paper, which is of another width
     const dpr = Math.min(2, window.devicePixelRatio || 1);
     const [w, h] = [Math.round(width * dpr), Math.round(height * dpr)];
     if (this.canvas.width !== w) this.canvas.width = w;

@@ -1,7 +1,8 @@
 // Any test on the calibrated rock: chosen, seen as a recipe, run.
 import { Child, fold, h, table } from "../dom";
 import { readable } from "../units";
-import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, select, stopper, textArea } from "./controls";
+import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, plainly, select, stopper, textArea } from "./controls";
+import { bar, clock } from "./clock";
 import { chosenBefore, keepChosen } from "./drafts";
 import { Key, LabTest, Project, RockAnswer, Tested, ask } from "./server";
 import { get, quoted, set } from "./toml";
@@ -11,11 +12,14 @@ export interface BenchView {
   show(answer: RockAnswer): void;
 }
 
+/** What else a test is called, by who looks for it. */
+const alsoCalled: Record<string, string> = { uniaxial: "uniaxial compression (UCS)", biaxial: "triaxial / confined (biaxial)", brazilian: "Brazilian (BTS)", direct_tension: "direct tension (DTS)" };
+
 /** Of every test; the rest that is of all is under "More". */
 const always = ["test.angles", "test.intact"];
 
 interface Recipe {
-  toml: string | null; // null: there are problems
+  toml: string | null; // null: a value is wrong
   problems: { key: string; text: string }[];
 }
 
@@ -38,6 +42,16 @@ function label(path: string): string {
 
 const isNumber = (text: string) => text.trim() !== "" && Number.isFinite(Number(text));
 
+const pascals: Record<string, number> = { Pa: 1, kPa: 1e3, MPa: 1e6, GPa: 1e9 };
+
+/** Of a stress that a test keeps: the number in MPa, nothing for 0, which is none. */
+function inMPa(value: string): string {
+  const [, number, unit] = value.match(/^\s*([-+.\de]+)\s*([kMG]?Pa)\s*$/) ?? [];
+  if (unit === undefined) return value;
+  const stress = (Number(number) * pascals[unit]) / 1e6;
+  return stress === 0 ? "" : String(+stress.toPrecision(12));
+}
+
 /** As it is typed: lists without brackets and quotes. */
 const typed = (key: Key, value: string) => (key.kind === "list" ? value.replace(/[[\]"]/g, "").trim() : value);
 
@@ -51,15 +65,18 @@ function listed(value: string): string[] {
     .filter((v) => v !== "");
 }
 
-/** As it stands in a recipe. */
-function written(key: Key, value: string): string {
+/** As the program takes it. `kept`: a stress, in MPa where no unit says otherwise. */
+function written(key: Key, value: string, kept: boolean): string {
+  const number = value.trim().replace(/^([+-]?\d+),(\d+)$/, "$1.$2");
+  if (kept && isNumber(number)) return `${number} MPa`;
   if (key.kind !== "list") return value;
   const unit = key.range.match(/\d (\S+) <=? value/)?.[1]; // may be left out while typing
   const items = listed(value);
   return `[${items.map((v) => (!isNumber(v) ? quoted(v) : unit ? quoted(`${v} ${unit}`) : v)).join(", ")}]`;
 }
 
-const asToml = (key: Key, value: string) => (["quantity", "choice", "text"].includes(key.kind) ? quoted(value) : written(key, value));
+/** As it stands in a recipe; `value`: as written() gives it. */
+const asToml = (key: Key, value: string) => (["quantity", "choice", "text"].includes(key.kind) ? quoted(value) : value);
 
 /** Kinds of test that alone have a key, as its meaning says: "biaxial: lateral stress". */
 const kindsOf = (key: Key, kinds: string[]) => kinds.filter((k) => new RegExp(`(^|; )${k}: `).test(key.meaning));
@@ -76,6 +93,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const store = `phyllite test ${project.folder} ${rock}`;
   const keys = project.keys.filter((k) => k.path !== "test.kind");
   const kinds = project.kinds.map((k) => k.name);
+  const isKept = (k: Key) => project.kinds.some((kind) => kind.kept_stress === k.path);
   let choices: Choices = { kind: project.kinds[0]?.name ?? "uniaxial", changes: {}, name: "", byHand: null, started: [], ...chosenBefore<Choices>(store) };
   let recipe: Recipe | null = null;
   let chosen = ""; // the last recipe without problems
@@ -85,7 +103,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   let toShow = ""; // the test that was just started
 
   const wrong = objections();
-  const kind = select(project.kinds.map((k) => [k.name, k.title]), (v) => {
+  const kind = select(project.kinds.map((k) => [k.name, alsoCalled[k.name] ?? k.title]), (v) => {
     change({ kind: v });
     arrange();
   });
@@ -127,16 +145,20 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const shownTests = new Map<string, ReturnType<typeof testView>>();
 
   function control(k: Key) {
-    const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v), { placeholder: "not said" });
+    const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v), { placeholder: isKept(k) ? "such as 10" : "not given" });
     const problem = h("p", { class: "objection" });
-    const hint = [k.meaning, k.range.replaceAll("<=", "≤")].filter(Boolean).join("; ");
-    return { key: k, node, problem, place: h("div", {}, field(label(k.path), node, h("span", { title: k.path }, hint)), problem) };
+    const [only, another] = kindsOf(k, kinds); // it is seen with that kind of test alone
+    const meaning = only && !another ? k.meaning.replace(`${only}: `, "") : k.meaning;
+    const hint = [meaning, isKept(k) ? "above 0; in MPa, or with another unit" : k.range.replaceAll("<=", "≤")];
+    const name = label(k.path) + (isKept(k) ? " [MPa]" : "");
+    return { key: k, node, problem, place: h("div", {}, field(name, node, h("span", { title: k.path }, hint.filter(Boolean).join("; "))), problem) };
   }
 
   /** Changes by hand stay: the choice changes its line in them. */
   function choose(k: Key, value: string) {
-    const byHand = choices.byHand === null ? null : set(choices.byHand, tableOf(k.path), last(k.path), asToml(k, value));
-    change({ changes: { ...choices.changes, [k.path]: written(k, value) }, byHand });
+    const wanted = written(k, value, isKept(k));
+    const byHand = choices.byHand === null ? null : set(choices.byHand, tableOf(k.path), last(k.path), asToml(k, wanted));
+    change({ changes: { ...choices.changes, [k.path]: wanted }, byHand });
   }
 
   const own = () => keys.filter((k) => kindsOf(k, kinds).includes(choices.kind));
@@ -187,9 +209,10 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     handNote.hidden = choices.byHand === null;
     for (const c of controls.values()) {
       const said = recipe?.problems.filter((p) => p.key === c.key.path).map((p) => p.text) ?? [];
-      const value = typed(c.key, said.length > 0 ? (choices.changes[c.key.path] ?? "") : get(text, tableOf(c.key.path), last(c.key.path)));
+      const inRecipe = typed(c.key, said.length > 0 ? (choices.changes[c.key.path] ?? "") : get(text, tableOf(c.key.path), last(c.key.path)));
+      const value = !isKept(c.key) ? inRecipe : said.length > 0 ? inRecipe.replace(/ MPa$/, "") : inMPa(inRecipe);
       if (document.activeElement !== c.node && c.node.value !== value) c.node.value = value;
-      c.problem.textContent = said.join(" ");
+      c.problem.textContent = plainly(said.join(" "));
       c.node.setAttribute("aria-invalid", String(said.length > 0));
     }
     const rest = recipe?.problems.filter((p) => !controls.has(p.key)) ?? [];
@@ -231,9 +254,12 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   };
 }
 
+/** "kinetic_ratio 0.02, above 0.01: why" with the reason first. */
+const reasonFirst = (note: string) => note.replace(/^(\w+) ([^:]+): (.*)$/s, (_, number: string, found: string, why: string) => `${why} (${number.replaceAll("_", " ")} ${found})`);
+
 /** A number that is not to be trusted says so where it stands. */
 function value(s: Tested): Child {
-  const notes = (s.notes ?? []).join("; ");
+  const notes = (s.notes ?? []).map(reasonFirst).join("; ");
   const doubt = s.grade && s.grade !== "good" ? `, ${s.grade}` : "";
   const [factor, name] = s.value != null && s.unit ? readable(s.value, s.unit) : [1, ""];
   const number = s.value != null && s.unit ? `${(s.value * factor).toPrecision(4)} ${name}`.trim() : "–";
@@ -257,6 +283,8 @@ function testView(rock: string, name: string, changed: () => void) {
   const wrong = objections();
   const state = h("p", { class: "state", role: "status" });
   const [results, rest] = [h("div"), h("div")];
+  const [busy, time] = [bar(`Specimens of ${name}`), clock()];
+  const going = h("div", {}, busy.node, h("p", { class: "muted" }, time.node));
   const log = h("pre", { tabindex: "0" });
   const output = fold("Output of the program", log);
   const files = fileFold();
@@ -271,10 +299,12 @@ function testView(rock: string, name: string, changed: () => void) {
     }),
   );
   return {
-    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, run, ...stop.nodes), wrong, results, rest, files.node, output),
+    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, going, h("div", { class: "tools" }, run, ...stop.nodes), wrong, results, rest, files.node, output),
     show(t: LabTest) {
       const report = t.files.find((f) => f.endsWith("report.html"));
       keyed(state, [t.state, t.exit_code], () => [testState(t)]);
+      going.hidden = t.state !== "running";
+      time.show(t.seconds);
       stop.show(t.state === "running");
       run.hidden = !["new", "stopped"].includes(t.state);
       keyed(results, t.specimens, () => [specimens(t)]);

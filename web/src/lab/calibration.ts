@@ -1,7 +1,8 @@
 // A calibration: started, watched, stopped, gone on with, read.
 import { Child, fold, h } from "../dom";
-import { growing, narrowing } from "./charts";
-import { argument, attempt, button, command, counted, field, fileFold, fileLink, input, keyed, objections, stopper, ticked } from "./controls";
+import { Reach, growing, narrowing, reached } from "./charts";
+import { bar, clock, duration } from "./clock";
+import { argument, attempt, button, command, counted, field, fileFold, fileLink, input, keyed, objections, optionNames, stopper, ticked, worded } from "./controls";
 import { chosenBefore, keepChosen } from "./drafts";
 import { Figures } from "./figures";
 import { Calibrating, Progress, ask } from "./server";
@@ -18,12 +19,8 @@ interface Options {
 
 const usual = "2000";
 
-/** Seconds as somebody would say them. */
-function duration(seconds: number): string {
-  if (seconds < 90) return `${Math.round(seconds)} s`;
-  if (seconds < 5400) return `${Math.round(seconds / 60)} min`;
-  return `${(seconds / 3600).toFixed(1)} h`;
-}
+/** Has left no word on how it goes yet. */
+const justBegun: Progress = { state: "running", stage: "", seconds: 0, n_done: 0, n_total: 0, seconds_left: null, said: [], parameters: [], pressed: null };
 
 function state(c: Calibrating): string {
   switch (c.state) {
@@ -42,23 +39,27 @@ function state(c: Calibrating): string {
 
 function watch() {
   const stage = h("p", { class: "stage" });
-  const bar = h("progress", { max: "1", "aria-label": "Tests of this stage" });
-  const time = h("p", { class: "muted" });
+  const done = bar("Tests of this stage");
+  const [tests, left, time] = [h("span"), h("span"), clock()];
   const press = new Figures("grid small");
+  const reach = new Map<string, Reach>(); // of each kind of test: its axes do not jump from one specimen to the next
   const parameters = new Figures("grid parameters");
   const heading = h("h3", {}, "Parameters: estimate and 95 % interval, step by step, inside the values admitted");
   return {
-    node: h("div", { class: "watch" }, h("div", {}, stage, bar, time), press.node, heading, parameters.node),
-    show(p: Progress, running: boolean) {
+    node: h("div", { class: "watch" }, h("div", {}, stage, done.node, h("p", { class: "muted" }, tests, time.node, left)), press.node, heading, parameters.node),
+    /** `seconds`: of what runs; null: nothing does. */
+    show(p: Progress, seconds: number | null) {
+      const running = seconds !== null;
       stage.textContent = p.state === "finished" ? "" : p.stage;
-      bar.hidden = !running;
-      bar.max = Math.max(1, p.n_total);
-      bar.value = p.n_done;
-      const left = p.seconds_left === null ? "time left not known yet" : `about ${duration(p.seconds_left)} left for the calibration, by what has run so far`;
-      const tests = p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage. ` : "";
-      time.textContent = running ? `${tests}${duration(p.seconds)} so far, ${left}.` : `It took ${duration(p.seconds)}.`;
+      done.node.hidden = !running;
+      done.show(p.n_done, p.n_total);
+      time.show(seconds);
+      tests.textContent = running && p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage. ` : "";
+      const known = p.seconds_left === null ? "time left not known yet" : `about ${duration(p.seconds_left)} left for the calibration, by what has run so far`;
+      left.textContent = running ? `, ${known}.` : `It took ${duration(p.seconds)}.`;
       const now = running ? p.pressed : null;
-      press.show(now ? [{ name: "In the press now", caption: [now.test.replaceAll("_", " "), now.specimen ?? (now.theta == null ? null : `θ = ${now.theta}°`)].filter(Boolean).join(", "), shown: now, draw: (width) => growing(now, width) }] : []);
+      const axes = now && reached(now, reach);
+      press.show(now ? [{ name: "In the press now", caption: [now.test.replaceAll("_", " "), now.specimen ?? (now.theta == null ? null : `θ = ${now.theta}°`)].filter(Boolean).join(", "), shown: [now, axes], draw: (width) => growing(now, axes!, width) }] : []);
       const some = p.parameters.filter((x) => x.steps.length > 0);
       heading.hidden = some.length === 0;
       parameters.show(some.map((x) => ({ name: x.symbol, shown: x, draw: (width) => narrowing(x, width) })));
@@ -70,9 +71,9 @@ function verdict(c: Calibrating): Child[] {
   if (!c.verdict) return [];
   const good = c.verdict.status.startsWith("calibrated");
   const report = c.files.find((f) => f.endsWith("report.html"));
-  const list = (items: string[]) => h("ul", { class: "findings" }, ...items.map((s) => h("li", {}, s)));
+  const list = (items: string[]) => h("ul", { class: "findings" }, ...items.map((s) => h("li", {}, ...worded(s, c.files))));
   return [
-    h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence || c.verdict.status)),
+    h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, ...worded(c.verdict.sentence || c.verdict.status, c.files))),
     report ? h("p", {}, fileLink(report, "Open the report")) : null,
     report ? command(`phyllite report ${argument(c.folder)}`) : null,
     c.verdict.summary.length > 0 && list(c.verdict.summary),
@@ -112,13 +113,13 @@ export function calibrationView(rock: string, folder: string, ready: () => Promi
       changed();
     });
   const start = button("Start calibration", () => begin({}), { class: "main" });
-  const goOn = button("Go on", () => begin({ resume: true }), { class: "main" });
+  const goOn = button(optionNames["--resume"], () => begin({ resume: true }), { class: "main" });
   const again = button("Calibrate anew", () => begin({ anew: true }));
   const stop = stopper("Stop", wrong, async () => {
     await ask("/api/stop", { name: rock, test: null });
     changed();
   });
-  const options = h("div", { class: "fields" }, h("div", {}, field("Largest number of tests", most), wrongMost), ticked("Moduli alone (elastic stage)", elastic));
+  const options = h("div", { class: "fields" }, h("div", {}, field(optionNames["--max-tests"], most), wrongMost), ticked(optionNames["--elastic"], elastic));
 
   /** What the buttons would start; of what runs or ran, what it was. */
   function describe() {
@@ -149,8 +150,9 @@ export function calibrationView(rock: string, folder: string, ready: () => Promi
       again.hidden = gone || running || !start.hidden;
       stop.show(running);
       describe();
-      live.node.hidden = c.progress === null;
-      if (c.progress) live.show(c.progress, running);
+      const progress = c.progress?.state === "running" || !running ? c.progress : justBegun; // else of the run before
+      live.node.hidden = progress === null;
+      if (progress) live.show(progress, c.seconds);
       keyed(place.verdict, [c.verdict, c.files], () => verdict(c));
       files.show(c.files);
       const log = c.log || (c.progress?.said ?? []).join("\n"); // one that was started elsewhere has left no output

@@ -7,7 +7,7 @@ import { Curve, Narrowing, Pressed, Target } from "./server";
 type Drawn = SVGSVGElement | HTMLElement;
 
 /** Means of the laboratory with their 95 %, single specimens, and theory through them. */
-export function measured(targets: Target[], curve: Curve | undefined, factor: number, width: number): Drawn {
+export function measured(targets: Target[], curve: Curve | undefined, factor: number, unit: string, width: number): Drawn {
   const points = targets.map((t) => ({ theta: t.theta, value: t.mean * factor, low: t.low * factor, high: t.high * factor, n: t.n }));
   const single = targets.flatMap((t) => (t.specimens ?? []).map((v) => ({ theta: t.theta, value: v * factor })));
   const theory = (curve?.theta ?? []).map((theta, i) => ({ theta, value: curve!.value[i] * factor }));
@@ -21,7 +21,7 @@ export function measured(targets: Target[], curve: Curve | undefined, factor: nu
       Plot.line(theory, { x: "theta", y: "value", stroke: "var(--theory)", strokeWidth: 1.8, strokeDasharray: "7 4" }),
       Plot.ruleX(points, { x: "theta", y1: "low", y2: "high", stroke: "var(--ink)", strokeWidth: 1.4 }),
       Plot.dot(single, { x: "theta", y: "value", dx: -7, r: 2.2, fill: "var(--ink)", fillOpacity: 0.5 }),
-      Plot.dot(points, { x: "theta", y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6, tip: true, title: (d) => `${d.value.toPrecision(4)} at ${d.theta}°\n${d.n} specimen${d.n === 1 ? "" : "s"}` }),
+      Plot.dot(points, { x: "theta", y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6, tip: true, title: (d) => `${[d.value.toPrecision(4), unit].join(" ").trim()} at ${d.theta}°\n95 % of the mean ${d.low.toPrecision(3)} … ${d.high.toPrecision(3)}\n${d.n} specimen${d.n === 1 ? "" : "s"}` }),
     ],
   }) as Drawn;
 }
@@ -58,10 +58,37 @@ export function narrowing(p: Narrowing, width: number): Drawn {
   }) as Drawn;
 }
 
+/** How far the axes go: strain [%], stress [MPa]. */
+export interface Reach {
+  strain: number;
+  stress: number;
+}
+
+/** 1, 2 or 5 of a power of ten, not below a value. */
+function round(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * [1, 2, 5, 10].find((k) => k * power >= value * (1 - 1e-9))!;
+}
+
+/** Growing, whatever the sign of what is recorded: tension grows upwards, too. */
+function upwards(p: Pressed) {
+  const sign = Math.max(0, ...p.stress) < -Math.min(0, ...p.stress) ? -1 : 1;
+  return p.strain.map((s, i) => ({ strain: 100 * sign * s, stress: 1e-6 * sign * p.stress[i] }));
+}
+
+/** Axes that only grow, in few steps, over all specimens of a kind of test. */
+export function reached(p: Pressed, known: Map<string, Reach>): Reach {
+  const before = known.get(p.test) ?? { strain: 0.1, stress: 1 };
+  const points = upwards(p);
+  const far = (least: number, values: number[]) => round(Math.max(least, ...values));
+  const now = { strain: far(before.strain, points.map((d) => d.strain)), stress: far(before.stress, points.map((d) => d.stress)) };
+  known.set(p.test, now);
+  return now;
+}
+
 /** The specimen that is in the press now, as far as it has come. */
-export function growing(p: Pressed, width: number): Drawn {
-  const sign = Math.max(0, ...p.stress) < -Math.min(0, ...p.stress) ? -1 : 1; // tension grows upwards, too
-  const points = p.strain.map((s, i) => ({ strain: 100 * sign * s, stress: 1e-6 * sign * p.stress[i] }));
+export function growing(p: Pressed, axes: Reach, width: number): Drawn {
+  const points = upwards(p);
   return Plot.plot({
     ...base,
     width,
@@ -69,8 +96,8 @@ export function growing(p: Pressed, width: number): Drawn {
     marginLeft: 48,
     marginTop: 26,
     marginBottom: 38,
-    x: { label: "strain [%]", labelAnchor: "center", labelArrow: "none", zero: true, ticks: 5 },
-    y: { label: "stress [MPa]", labelArrow: "none", zero: true, nice: true },
+    x: { label: "strain [%]", labelAnchor: "center", labelArrow: "none", domain: [Math.min(0, ...points.map((d) => d.strain)), axes.strain], ticks: 5 },
+    y: { label: "stress [MPa]", labelArrow: "none", domain: [Math.min(0, ...points.map((d) => d.stress)), axes.stress] },
     marks: [Plot.ruleY([0]), Plot.line(points, { x: "strain", y: "stress", stroke: "var(--accent)", strokeWidth: 1.8 }), Plot.dot(points.slice(-1), { x: "strain", y: "stress", fill: "var(--accent)", r: 4 })],
   }) as Drawn;
 }

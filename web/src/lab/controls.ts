@@ -45,13 +45,28 @@ export function command(text: string, lead = "As a command: "): HTMLElement {
   return h("p", { class: "command" }, h("span", { class: "muted" }, lead), h("code", {}, text), " ", copyButton(text));
 }
 
+/** Controls that stand for an option of the commands. */
+export const optionNames: Record<"--max-tests" | "--elastic" | "--resume" | "--matrix", string> = { "--max-tests": "Largest number of tests", "--elastic": "Moduli alone (elastic stage)", "--resume": "Go on", "--matrix": "Model of the matrix" };
+
+/** A sentence of the program in the words of the page: options are named as their controls, and files can be opened. */
+export function worded(text: string, files: string[] = []): Child[] {
+  const told = (part: string): Child => {
+    const file = files.find((f) => f.endsWith(`/${part}`));
+    return part in optionNames ? `“${optionNames[part as keyof typeof optionNames]}”` : file ? fileLink(file, part) : part;
+  };
+  return text.replace(/^command line: /gm, "").split(/(--[a-z][a-z-]+|[\w-]+\.(?:txt|toml|html|json)\b)/).map(told);
+}
+
+/** The same where there are no links. */
+export const plainly = (text: string) => worded(text).join("");
+
 /** Does what a button asks for; what the program says against it stands at the place. */
 export async function attempt(place: HTMLElement, act: () => Promise<unknown>) {
   place.textContent = "";
   try {
     await act();
   } catch (error) {
-    place.textContent = (error as Error).message;
+    place.textContent = plainly((error as Error).message);
   }
 }
 

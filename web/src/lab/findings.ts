@@ -1,8 +1,8 @@
 // What the check says of the table: how it was read, what it holds, what it determines.
 import { Child, fold, h, table } from "../dom";
-import { scales } from "../units";
+import { scales, unitOf } from "../units";
 import { measured } from "./charts";
-import { argument, command, counted, keyed } from "./controls";
+import { argument, command, counted, keyed, plainly } from "./controls";
 import { Figures } from "./figures";
 import { Checked, Target, isUnbedded } from "./server";
 
@@ -15,7 +15,7 @@ export interface FindingsView {
 /** What is drawn in one chart: a property, of one confining stress and one size of disc. */
 const title = (t: Target) => (scales[t.property]?.[1] ?? t.property) + (t.confining ? `, ${+(1e-6 * t.confining).toPrecision(3)} MPa` : "") + (t.diameter ? `, ${+(1e3 * t.diameter).toPrecision(3)} mm` : "");
 
-const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, s))) : null);
+const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, plainly(s)))) : null);
 
 const assumed = "bars: 95 % of the mean; where one specimen was tested its scatter is assumed";
 
@@ -66,14 +66,14 @@ export function findingsView(rock: string): FindingsView {
         [...new Set(drawn.map(title))].map((name) => {
           const of = drawn.filter((t) => title(t) === name);
           const curve = of[0].confining ? undefined : checked.theory?.[of[0].property];
-          const [factor] = scales[of[0].property] ?? [1];
-          return { name, shown: [of, curve], caption: [curve?.note, of.some((t) => t.sd_assumed) && assumed].filter(Boolean).join("; "), draw: (width) => measured(of, curve, factor, width) };
+          const [factor, label] = scales[of[0].property] ?? [1, ""];
+          return { name, shown: [of, curve], caption: [curve?.note, of.some((t) => t.sd_assumed) && assumed].filter(Boolean).join("; "), draw: (width) => measured(of, curve, factor, unitOf(label), width) };
         }),
       );
       legend.mean.hidden = drawn.length === 0;
       legend.specimens.hidden = !drawn.some((t) => (t.specimens ?? []).length > 0);
       legend.theory.hidden = !drawn.some((t) => (checked.theory?.[t.property]?.theta ?? []).length > 0);
-      keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, checked.forecast)]);
+      keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, plainly(checked.forecast))]);
       keyed(words, checked, () => [
         !bedded && targets.length > 0 && numbers(targets, false),
         list(checked.says),

@@ -16,11 +16,14 @@ export class Grid {
   private at: Place = { line: 0, column: 0 };
   private step = 0;
 
-  /** `edited` gets the new text and a name for edits that are undone together. */
+  /** `edited` gets the new text and a name for edits that are undone together; `replaced` hears of a pasted table that has taken the
+   *  place of another. */
   constructor(
     private readonly edited: (text: string, step: string) => void,
     private readonly undo: () => void,
     private readonly leave: () => void,
+    private readonly names: string[], // that a column may have
+    private readonly replaced: () => void,
   ) {
     this.node.addEventListener("input", (e) => this.typed(e.target as HTMLInputElement));
     this.node.addEventListener("paste", (e) => this.pasted(e));
@@ -145,10 +148,12 @@ export class Grid {
     const cells = block(e.clipboardData?.getData("text/plain") ?? "");
     if (cells.length * cells[0].length === 1) return; // into the cell, where its caret stands
     e.preventDefault();
-    this.text = paste(this.text, this.at.line, this.at.column, cells);
+    const { text, replaced } = paste(this.text, this.at.line, this.at.column, cells, this.names);
+    this.text = text;
     this.sheet = read(this.text);
     this.draw();
     this.edited(this.text, `paste ${++this.step}`);
+    if (replaced) this.replaced();
   }
 
   private entered(target: HTMLElement) {

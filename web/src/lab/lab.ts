@@ -144,16 +144,18 @@ function layOut(answer: RockAnswer) {
     const now = JSON.stringify([rock.text, rock.text.table === null && answer.stamp]); // a workbook changes under the page
     if (now === last) return;
     last = now;
+    ++asked; // an answer to what stood here before is not of what stands here now
     clearTimeout(timer);
     timer = window.setTimeout(check, 400);
     findings.busy("Checking …");
   }
 
-  async function check() {
+  /** Whether the answer is of the text as it stands now. */
+  async function check(): Promise<boolean> {
     const mine = ++asked;
     try {
       const answered = await ask<Checked>("/api/check", { name, ...rock.text });
-      if (mine !== asked) return;
+      if (mine !== asked) return false;
       checked = answered;
       table.mark(checked);
       rockFile.mark(checked);
@@ -162,6 +164,7 @@ function layOut(answer: RockAnswer) {
     } catch (error) {
       if (mine === asked) findings.busy(`Not checked: ${(error as Error).message}.`);
     }
+    return mine === asked;
   }
 
   recheck = () => {
@@ -172,7 +175,7 @@ function layOut(answer: RockAnswer) {
   /** Calibrations read the files. */
   async function ready() {
     clearTimeout(timer);
-    await check();
+    if (!(await check())) throw new Error("the table or the rock file has just been changed; press the button again");
     if (checked && checked.problems.length > 0) throw new Error("the table or the rock file has problems, said above; mend them first");
     if (rock.dirty && !(await rock.save())) throw new Error("the files have been changed elsewhere: choose above which to keep");
   }

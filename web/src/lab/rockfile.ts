@@ -1,6 +1,6 @@
 // The rock file: what is asked for most by choosing, all of it as text. A choice changes its line of the text.
 import { Child, h } from "../dom";
-import { field, input, keyed, select, textArea } from "./controls";
+import { field, input, keyed, optionNames, select, textArea } from "./controls";
 import { Checked, Project, isUnbedded } from "./server";
 import { problemItem } from "./table";
 import { get, isElsewhere, quoted, set } from "./toml";
@@ -40,18 +40,19 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
   };
   const chosen = (key: "E_is" | "layers" | "matrix", label: string): HTMLElement => {
     const options = project.choices[key];
-    const node = select([["", `not said (${options[0]})`], ...options.map((o): [string, string] => [o, o])], (v) => change("", key, v));
+    const words = (o: string) => (o === "choose" ? "the best model" : o.replaceAll("_", " "));
+    const node = select([["", `not given: ${words(options[0])}`], ...options.map((o): [string, string] => [o, words(o)])], (v) => change("", key, v));
     return entered("", key, node, label);
   };
   const sized = ([table, key, label]: (typeof sizes)[number]): HTMLElement => {
-    const node = input((v) => change(table, key, v.trim()), { placeholder: "not said" });
+    const node = input((v) => change(table, key, v.trim()), { placeholder: "not given" });
     return entered(table, key, node, label);
   };
   const area = textArea((t) => edit(t, "typing the rock file"), { id: "rock-text", "aria-describedby": "rock-problems" });
   const label = h("label", { for: "rock-text" }, "Rock file as text");
   const name = h("code");
   const problems = h("ul", { class: "problems", id: "rock-problems" });
-  const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", "Model of the matrix"), ...sizes.map(sized)];
+  const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", optionNames["--matrix"]), ...sizes.map(sized)];
   return {
     node: h("div", {}, h("div", { class: "fields" }, ...fields), h("div", { class: "field" }, label, area.node), problems, h("p", { class: "muted" }, "The file: ", name)),
     show(toml, file) {

@@ -18,7 +18,7 @@ export interface Project {
   choices: Record<"E_is" | "layers" | "matrix", string[]>; // the first is the default
   columns: (string | [string, string])[]; // names that a table may have, some with a word on them
   rocks: { name: string; state: State; verdict: string | null }[];
-  kinds: { name: string; title: string }[];
+  kinds: { name: string; title: string; kept_stress?: string }[]; // path of the stress that the test keeps
   keys: Key[];
 }
 
@@ -66,6 +66,7 @@ export interface Run {
   command: string;
   log: string;
   exit_code: number | null;
+  seconds: number | null; // that it has been running; null: it does not
   files: string[];
 }
 

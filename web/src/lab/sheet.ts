@@ -154,14 +154,51 @@ function widened(text: string, header: number, separator: Separator, columns: nu
   return change.text();
 }
 
-/** A pasted table with its headings takes the place of one without values; angles in the first column are none. */
-export function paste(text: string, line: number, column: number, block: string[][]): string {
+const isNumber = (cell: string) => /^[<>≤≥~±]?\s*[+-]?[.,]?\d/.test(cell.trim());
+const isMissing = (cell: string) => /^(n\.? ?[a-z]\.?|k\. ?a\.?|nan|null|[-–—?*x]+)$/i.test(cell.trim());
+const filledCells = (row: string[]) => row.map((c) => c.trim()).filter((c) => c !== "");
+
+/** A heading without its unit. */
+const bare = (cell: string) => cell.replace(/[[(].*$/, "").trim().toLowerCase();
+
+/** Whether a row names the columns of what is below it: words over numbers, or names that a table may have. */
+function areHeadings(row: string[], below: string[][], known: string[]): boolean {
+  const cells = filledCells(row);
+  const isKnown = (c: string) => known.some((name) => name.toLowerCase() === bare(c));
+  if (cells.length === 0) return false;
+  if (cells.some(isNumber)) return below.length > 0 && ["theta", "beta"].includes(bare(cells[0])); // angles across
+  if (below.length === 0) return cells.every(isKnown);
+  const differ = cells.length > 1 && new Set(cells).size === cells.length && !cells.some(isMissing);
+  return (differ || cells.some(isKnown)) && below.some((r) => r.some((c, k) => isNumber(c) && filledCells([row[k] ?? ""]).length > 0));
+}
+
+/** The row of a block that names its columns, below titles and comments; -1: there is none. */
+function headingRow(block: string[][], known: string[]): number {
+  const first = block.findIndex((r) => !isNote(r) && (filledCells(r).length > 1 || block.every((o) => filledCells(o).length <= 1)));
+  return first >= 0 && areHeadings(block[first], block.slice(first + 1), known) ? first : -1;
+}
+
+export interface Pasted {
+  text: string;
+  replaced: boolean; // values that stood there
+}
+
+/** A block that begins with headings is a table of its own, wherever it is put: it takes the place of the one there. One
+ *  column goes under its heading, and on the headings, right of the first, a block adds columns. `known`: names that a column may have. */
+export function paste(text: string, line: number, column: number, block: string[][], known: string[]): Pasted {
   const now = read(text);
-  if (line < now.header) return paste(text, now.header, 0, block); // what stands above is no table
-  const blank = now.lines.every((l) => l.kind !== "row" || l.cells.slice(1).every((c) => c === ""));
-  if (line !== now.header || column !== 0 || !blank || block.length < 2) return fill(text, line, column, block);
-  const notes = now.lines.slice(0, now.header).map((l) => `${l.raw}\n`).join("");
-  return fill(notes, line, 0, block);
+  const blank = now.lines.every((l) => l.kind !== "row" || l.cells.slice(1).every((c) => c === "")); // angles in the first column are no values
+  const at = headingRow(block, known);
+  const table = block.slice(Math.max(0, at));
+  const first = line === now.header && column === 0;
+  const part = table.length === 1 || table.every((r) => r.length === 1); // headings alone, or one column: no table of its own
+  if (at >= 0 && part && !blank) return { text: fill(text, now.header, column, table), replaced: false };
+  if ((at >= 0 && (blank || line !== now.header || column === 0)) || (first && blank && block.length > 1)) {
+    const above = block.slice(0, Math.max(0, at)).filter((r) => filledCells(r).length > 0);
+    const notes = [...now.lines.slice(0, now.header).map((l) => l.raw), ...above.map((r) => (isNote(r) ? r[0] : `# ${filledCells(r).join(" ")}`))];
+    return { text: fill(notes.map((n) => `${n}\n`).join(""), notes.length, 0, table), replaced: !blank };
+  }
+  return { text: line < now.header ? fill(text, now.header, 0, block) : fill(text, line, column, block), replaced: false }; // what stands above is no table
 }
 
 export function setNote(text: string, line: number, raw: string): string {

@@ -1,6 +1,6 @@
 // The rock's table: as a grid, or as the text that it is.
 import { fold, h } from "../dom";
-import { button, keyed, textArea } from "./controls";
+import { button, keyed, plainly, textArea } from "./controls";
 import { Grid } from "./grid";
 import { Checked, Problem, Project } from "./server";
 import { addColumn, insertRow, removeColumn, removeLine } from "./sheet";
@@ -17,7 +17,11 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   let asText = false;
   let steps = 0;
   let found: Problem[] = [];
-  const grid = new Grid(edit, undo, () => names.querySelector("summary")!.focus());
+  let another = ""; // the text that has taken the place of a table
+  const grid = new Grid(edit, undo, () => names.querySelector("summary")!.focus(), columns.map(([name]) => name), () => {
+    another = text ?? "";
+    draw();
+  });
   const area = textArea((t) => edit(t, "typing the table"), { id: "table-text", "aria-describedby": "table-problems" });
   const change = (f: (text: string) => string) => {
     const place = grid.place;
@@ -42,7 +46,8 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   const files = h("div");
   const names = fold("Names that a column may have", h("dl", {}, ...columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word ?? "")])));
   const workbook = h("p", { class: "warning" });
-  const pasting = h("p", { class: "muted" }, "Copy the table in Excel, click the first heading and paste. One row per specimen, or per angle with SD and number; the unit stands in the heading. Enter and arrow keys move, Esc leaves the cells.");
+  const taken = h("p", { class: "warning", role: "status" });
+  const pasting = h("p", { class: "muted" }, "Copy the table in Excel, click any cell and paste, headings included. One row per specimen, or per angle with SD and number; the unit stands in the heading. Enter and arrow keys move, Esc leaves the cells.");
   const buttons = h("div", { class: "tools" }, toggle, tools);
   const textField = h("div", { class: "field" }, h("label", { for: "table-text" }, "Table as text"), area.node);
 
@@ -52,6 +57,8 @@ export function tableView(project: Project, edit: (table: string, step: string) 
     keyed(place, asText, () => [asText ? textField : grid.node]);
     if (asText) area.set(text ?? "");
     else grid.set(text ?? "");
+    taken.textContent = text === another && another !== "" ? "What was pasted begins with headings: it has taken the place of the table. Undo brings the old one back." : "";
+    taken.hidden = taken.textContent === "";
   }
 
   function say() {
@@ -67,6 +74,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
       {},
       pasting,
       workbook,
+      taken,
       buttons,
       problems,
       place,
@@ -92,5 +100,5 @@ export function tableView(project: Project, edit: (table: string, step: string) 
 /** What is wrong, and a way to the line where. */
 export function problemItem(p: Problem, goTo: ((line: number) => void) | null): HTMLElement {
   const line = p.line;
-  return h("li", {}, line !== null && (goTo ? button(`Line ${line}`, () => goTo(line - 1), { class: "link" }) : `Line ${line}`), line !== null && ": ", p.text);
+  return h("li", {}, line !== null && (goTo ? button(`Line ${line}`, () => goTo(line - 1), { class: "link" }) : `Line ${line}`), line !== null && ": ", plainly(p.text));
 }
