@@ -17,7 +17,6 @@ namespace {
 constexpr double tables_exchanged = 0.1;  // share of tables whose angles are the complements
 constexpr double columns_apart = 0.05;    // share of columns that count otherwise than their table
 constexpr double share_isotropic = 0.5;   // of what is expected of a property before its values are seen
-constexpr double least_odds = 3.0;        // of what speaks
 
 /// Logarithm of a property over theta, but for its level.
 using Curve = std::function<double(double)>;
@@ -29,7 +28,7 @@ struct Sense {
   double exceptions;  ///< share of rocks that break the rule
 };
 
-double square(double x) { return x * x; }
+double squared(double x) { return x * x; }
 
 /// 0, then from `least` in steps of a factor up to `most`.
 std::vector<double> zero_and_steps(double least, double factor, double most) {
@@ -45,7 +44,7 @@ std::vector<Curve> softened_by_planes(const std::function<double(const SinCos&)>
     for (const double slip : zero_and_steps(0.1, 1.6, most_slip))
       curves.emplace_back([=](double theta) {
         const SinCos a = sin_cos_degrees(theta);
-        return -std::log(1.0 + across * normal(a) + slip * square(a.sin * a.cos));
+        return -std::log(1.0 + across * normal(a) + slip * squared(a.sin * a.cos));
       });
   return curves;
 }
@@ -69,9 +68,9 @@ std::vector<Curve> weak_planes() {
 
 const std::map<Property, Sense>& senses() {
   static const std::map<Property, Sense> all = [] {
-    const auto along = [](const SinCos& a) { return square(a.sin); };
-    const auto across = [](const SinCos& a) { return square(a.cos); };
-    const auto strain_across = [](const SinCos& a) { return square(square(a.cos)); };
+    const auto along = [](const SinCos& a) { return squared(a.sin); };
+    const auto across = [](const SinCos& a) { return squared(a.cos); };
+    const auto strain_across = [](const SinCos& a) { return squared(squared(a.cos)); };
     const Sense slip{weak_planes(), 0.05, 0.01}, split{softened_by_planes(along, 1.0), 0.08, 0.02};
     return std::map<Property, Sense>{
         {Property::E, {softened_by_planes(strain_across, 5.0), 0.04, 0.08}},
@@ -94,7 +93,7 @@ Cells cells_of(const std::vector<Target>& test, double off, bool exchanged) {
   for (const Target& t : test) {
     cells.theta.push_back(exchanged ? 90.0 - t.theta : t.theta);
     cells.log_value.push_back(std::log(t.mean));
-    cells.weight.push_back(1.0 / (square(t.normal_error() / t.mean) + square(off)));
+    cells.weight.push_back(1.0 / (squared(t.normal_error() / t.mean) + squared(off)));
   }
   return cells;
 }
@@ -114,8 +113,8 @@ CurveMisfit misfit_of(const Curve& curve, const Cells& cells) {
   level /= weights;
   CurveMisfit misfit;
   for (std::size_t i = 0; i < distance.size(); ++i) {
-    misfit.chi_square += cells.weight[i] * square(distance[i] - level);
-    misfit.squares += square(std::expm1(level - distance[i]));
+    misfit.chi_square += cells.weight[i] * squared(distance[i] - level);
+    misfit.squares += squared(std::expm1(level - distance[i]));
   }
   return misfit;
 }
@@ -205,8 +204,6 @@ void mark_exchanged(std::vector<AngleEvidence>& properties) {
 
 }  // namespace
 
-bool AngleEvidence::speaks() const { return std::fabs(log_odds) > std::log(least_odds); }
-
 std::optional<AngleQuestion> angle_question(const std::vector<Target>& targets) {
   AngleQuestion question;
   const std::vector<Target> some = least_confined(targets);
@@ -231,22 +228,32 @@ std::string list_in_words(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// Names of the properties that are exchanged, or of those that are not.
-std::vector<std::string> names_of(const AngleQuestion& question, bool exchanged) {
+std::string names_of(const std::vector<AngleEvidence>& some) {
   std::vector<std::string> names;
-  for (const AngleEvidence& e : question.properties)
-    if (e.exchanged == exchanged) names.emplace_back(to_string(e.property));
-  return names;
+  for (const AngleEvidence& e : some) names.emplace_back(to_string(e.property));
+  return list_in_words(names);
 }
 
-/// "UCS by 9 instead of 24 % and E by 3 instead of 19 %" of all that speak, for the complement or against it.
-std::string misses_in_words(const AngleQuestion& question) {
+/// "UCS by 9 instead of 24 % and E by 3 instead of 19 %": what planes miss by one reading, and by the other.
+std::string misses_in_words(const std::vector<AngleEvidence>& some, bool complement) {
   std::vector<std::string> misses;
-  for (const AngleEvidence& e : question.properties)
-    if (e.speaks())
-      misses.push_back(fmt::format("{} by {:.0f} instead of {:.0f} %", to_string(e.property),
-                                   100.0 * e.complement, 100.0 * e.as_read));
+  for (const AngleEvidence& e : some)
+    misses.push_back(fmt::format("{} by {:.0f} instead of {:.0f} %", to_string(e.property),
+                                 100.0 * (complement ? e.complement : e.as_read),
+                                 100.0 * (complement ? e.as_read : e.complement)));
   return list_in_words(misses);
+}
+
+/// "UCS seems to be counted from the load, E and BTS from the horizontal ..."
+std::string text_of_some(const std::vector<AngleEvidence>& apart, const std::vector<AngleEvidence>& others) {
+  const std::string names = names_of(apart);
+  const bool one = apart.size() == 1;
+  return fmt::format(
+      "{} {} to be counted from the load, {} from the horizontal (in a column beta: the reverse). With "
+      "theta = 90 - angle, planes miss {}. As written they miss {}. Give {} rows of {} own with 90 - angle, "
+      "or keep the table and ignore this.",
+      names, one ? "seems" : "seem", names_of(others), misses_in_words(apart, true),
+      misses_in_words(others, false), names, one ? "its" : "their");
 }
 
 }  // namespace
@@ -257,17 +264,13 @@ bool AngleQuestion::of_whole_table() const {
 }
 
 std::string text_of(const AngleQuestion& question) {
-  const std::string misses = "With theta = 90 - angle, planes miss " + misses_in_words(question) + ". ";
   if (question.of_whole_table())
-    return "These angles look like beta. " + misses +
-           "Rename the column to beta (a column beta: to theta), or keep it and ignore this.";
-  const std::vector<std::string> apart = names_of(question, true);
-  const bool one = apart.size() == 1;
-  return fmt::format(
-      "{} {} to be counted from the load, {} from the horizontal (in a column beta: the reverse). {}"
-      "Give {} rows of {} own with 90 - angle, or keep the table and ignore this.",
-      list_in_words(apart), one ? "seems" : "seem", list_in_words(names_of(question, false)), misses,
-      list_in_words(apart), one ? "its" : "their");
+    return "These angles look like beta. With theta = 90 - angle, planes miss " +
+           misses_in_words(question.properties, true) +
+           ". Rename the column to beta (a column beta: to theta), or keep it and ignore this.";
+  std::vector<AngleEvidence> apart, others;
+  for (const AngleEvidence& e : question.properties) (e.exchanged ? apart : others).push_back(e);
+  return text_of_some(apart, others);
 }
 
 }  // namespace phy::calibrate

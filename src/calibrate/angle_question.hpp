@@ -32,8 +32,6 @@ struct AngleEvidence {
   double as_read = 0.0;     ///< root mean square miss of the nearest curve, relative
   double complement = 0.0;  ///< the same with 90 - angle
   bool exchanged = false;   ///< by the likeliest reading of the table
-  /// Does it favour one sense three times over the other?
-  bool speaks() const;
 };
 
 /// There is one where the likeliest reading of a table is not the one as it is written.
