@@ -11,8 +11,7 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double least_R2 = 0.3;     // of a plane that shows
-constexpr double no_friction = 0.1;  // [deg] below which friction lies at the end of its range
+constexpr double least_R2 = 0.3;  // of a plane that shows
 
 std::size_t n_angles(const std::vector<Target>& targets) {
   std::set<double> angles;
@@ -68,21 +67,25 @@ std::string jaeger_line(const Evidence& evidence) {
   std::vector<theory::StrengthReading> readings;
   for (const Target& t : ucs) readings.push_back({t.theta, t.mean, 0.0});
   const theory::JaegerFit fit = theory::fit_jaeger_and_matrix(readings);
-  if (!fit.ok) return "Jaeger's plane of weakness through UCS: none, " + fit.reason;
+  if (const std::string why = fit.no_plane(); !why.empty()) {
+    const std::string none = "Jaeger's plane of weakness through UCS: none, " + why;
+    const double at = ends_of(ucs).least->theta;
+    if (fit.ok && fit.R2 < least_R2) return none + ": no plane shows";
+    const bool below = at > 0.0 && at < theory::weak_plane_minimum({}, 0.0).theta;
+    return fit.ok && below
+               ? none + fmt::format("; the table is weakest at {:g} degrees, which no such plane is", at)
+               : none;
+  }
   double squares = 0.0;
   for (const Target& t : ucs)
     squares += std::pow(theory::jaeger_sigma_1(fit.plane, fit.matrix_ucs, t.theta, 0.0) / t.mean - 1.0, 2.0);
   const theory::StrengthMinimum weakest = theory::weak_plane_minimum(fit.plane, 0.0);
-  std::string text = fmt::format(
+  const std::string text = fmt::format(
       "Jaeger's plane of weakness through UCS: c_w = {:.3g} MPa, phi_w = {:.0f} degrees, weakest at {:.0f} "
       "degrees with {:.3g} MPa, shoulders {:.3g} MPa, R2 = {:.2f}, misses {:.0f} % (root mean square)",
       fit.plane.cohesion * 1e-6, fit.plane.friction, weakest.theta, weakest.sigma_1 * 1e-6,
       fit.matrix_ucs * 1e-6, fit.R2, 100.0 * std::sqrt(squares / static_cast<double>(ucs.size())));
-  if (fit.R2 < least_R2) return text + ": no plane shows";
-  if (const double at = ends_of(ucs).least->theta;
-      fit.plane.friction < no_friction && at > 0.0 && at < weakest.theta)
-    text += fmt::format("; the table is weakest at {:g} degrees, which no such plane is", at);
-  return text;
+  return fit.R2 < least_R2 ? text + ": no plane shows" : text;
 }
 
 std::string anisotropy_line(const Evidence& evidence) {

@@ -7,7 +7,6 @@
 
 #include "calibrate/evidence.hpp"
 #include "calibrate/margin.hpp"
-#include "theory/jaeger_fit.hpp"
 #include "theory/layered_fit.hpp"
 
 namespace phy::calibrate {
@@ -15,17 +14,14 @@ namespace {
 
 constexpr std::size_t most_cells_named = 4;
 constexpr double far_off = 2.0;  // standard errors, from which a cell is named beside the farthest
-constexpr double clear_gain =
-    9.21;                     // difference of chi-square that two more free numbers gain once in a hundred
-constexpr double half = 0.5;  // of the misfit: Jaeger's theory is too simple for chi-square alone
 
-/// E and nu; angles as they are or their complements.
-std::vector<theory::LayeredReading> readings_of(const std::vector<Target>& targets, bool exchanged) {
+/// E and nu.
+std::vector<theory::LayeredReading> readings_of(const std::vector<Target>& targets) {
   std::vector<theory::LayeredReading> readings;
   for (const Target& t : least_confined(targets)) {
     if (is_strength(t.property)) continue;
     const bool modulus = t.property == Property::E;
-    readings.push_back({exchanged ? 90.0 - t.theta : t.theta, modulus, t.mean, counted_error(t)});
+    readings.push_back({t.theta, modulus, t.mean, counted_error(t)});
   }
   return readings;
 }
@@ -92,64 +88,10 @@ std::vector<CellMisfit> farthest(const std::vector<theory::LayeredReading>& read
   return cells;
 }
 
-/// Misfits of one kind of data: angles as they are [0] and exchanged [1].
-struct BothWays {
-  bool ok = false;
-  double chi_square[2] = {0.0, 0.0}, mean_square[2] = {0.0, 0.0};  // the latter relative
-  double error(bool exchanged) const { return std::sqrt(mean_square[exchanged]); }
-  bool nearer() const { return ok && chi_square[1] + clear_gain < chi_square[0]; }
-  bool farther() const { return ok && chi_square[0] + clear_gain < chi_square[1]; }
-};
-
-/// E alone, by planes in an isotropic rock.
-BothWays moduli_both_ways(const std::vector<Target>& targets) {
-  BothWays both;
-  const std::vector<Target> E = of_property(targets, Property::E);
-  if (E.empty()) return both;
-  both.ok = true;
-  for (const bool exchanged : {false, true}) {
-    const std::vector<theory::LayeredReading> readings = readings_of(E, exchanged);
-    const theory::LayeredFit fit =
-        theory::fit_layered(readings, theory::LayeredBody::planes_in_isotropic_rock);
-    both.chi_square[exchanged] = fit.chi_square;
-    for (const theory::LayeredReading& r : readings)
-      both.mean_square[exchanged] +=
-          std::pow(seen(fit, r) / r.value - 1.0, 2.0) / static_cast<double>(readings.size());
-  }
-  return both;
-}
-
-/// Slip on a plane, capped by the strongest angle.
-BothWays strengths_both_ways(const std::vector<Target>& targets) {
-  BothWays both;
-  const std::vector<Target> ucs = of_property(targets, Property::ucs);
-  double matrix = 0.0;
-  for (const Target& t : ucs) matrix = std::max(matrix, t.mean);
-  for (const bool exchanged : {false, true}) {
-    std::vector<theory::StrengthReading> readings;
-    for (const Target& t : ucs) readings.push_back({exchanged ? 90.0 - t.theta : t.theta, t.mean, 0.0});
-    const theory::JaegerFit fit = theory::fit_jaeger(readings, matrix);
-    if (!fit.ok) return both;
-    for (std::size_t i = 0; i < ucs.size(); ++i) {
-      const double d = theory::jaeger_sigma_1(fit.plane, matrix, readings[i].theta, 0.0) - ucs[i].mean;
-      both.mean_square[exchanged] += d * d / (ucs[i].mean * ucs[i].mean) / static_cast<double>(ucs.size());
-      both.chi_square[exchanged] += std::pow(d / ucs[i].normal_error(), 2.0);
-    }
-  }
-  const auto [least, most] = std::minmax({both.error(false), both.error(true)});
-  both.ok = least < half * most;
-  return both;
-}
-
-std::string misfits(const BothWays& both, const char* of) {
-  return fmt::format("{} by {:.1f} % instead of {:.1f} %", of, 100.0 * both.error(true),
-                     100.0 * both.error(false));
-}
-
 }  // namespace
 
 std::string elastic_limit(const std::vector<Target>& targets) {
-  const std::vector<theory::LayeredReading> readings = readings_of(targets, false);
+  const std::vector<theory::LayeredReading> readings = readings_of(targets);
   if (!has_modulus(readings)) return "";
   const theory::LayeredFit any = theory::fit_layered(readings, theory::LayeredBody::any);
   if (!any.met()) {
@@ -190,20 +132,6 @@ std::string confinement_limit(const std::vector<Target>& targets, ModulusReading
       "layers changes by 2 % or less (to 20 MPa) and will lie between: `confining` in the rock file takes E "
       "and nu under one stress alone",
       100.0 * change, low.confining * 1e-6, high.confining * 1e-6);
-}
-
-std::string exchanged_angles(const std::vector<Target>& targets) {
-  const BothWays moduli = moduli_both_ways(targets), strengths = strengths_both_ways(targets);
-  if (!(moduli.nearer() || strengths.nearer()) || moduli.farther() || strengths.farther()) return "";
-  std::string text =
-      "does the table mean theta or beta? With every angle read as its complement to 90 degrees, ";
-  if (moduli.nearer()) text += misfits(moduli, "planes in an isotropic rock miss E");
-  if (moduli.nearer() && strengths.nearer()) text += ", and ";
-  if (strengths.nearer()) text += misfits(strengths, "slip on a plane (Jaeger) misses UCS");
-  return text +
-         " (root mean square). theta is the inclination of the bedding under a vertical load, beta = 90 - "
-         "theta "
-         "the angle between load and bedding";
 }
 
 }  // namespace phy::calibrate

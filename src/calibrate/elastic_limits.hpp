@@ -1,6 +1,5 @@
 // What a table's E(theta) and nu(theta) say by themselves, before and beside any model of discs: whether a
-// layered elastic body has them (theory/layered_fit.hpp), whether planes in an isotropic rock have them, and
-// which way its angles are read better.
+// layered elastic body has them (theory/layered_fit.hpp), and whether planes in an isotropic rock have them.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,10 +17,5 @@ std::string elastic_limit(const std::vector<Target>& targets);
 /// stress, for bonds are as stiff under any (docs/calibration.md, "Moduli under confinement"). Empty: nothing
 /// of the kind.
 std::string confinement_limit(const std::vector<Target>& targets, ModulusReading reading);
-
-/// A hint that theta and its complement were exchanged, with the misfits of both readings: of E and nu by
-/// planes in an isotropic rock, of UCS by slip on a plane (Jaeger). Empty unless one of the two is clearly
-/// nearer when the angles are read the other way, and the other is not clearly farther.
-std::string exchanged_angles(const std::vector<Target>& targets);
 
 }  // namespace phy::calibrate

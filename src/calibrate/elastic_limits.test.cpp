@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "theory/goodman.hpp"
-#include "theory/jaeger.hpp"
 #include "theory/transverse_isotropy.hpp"
 
 namespace phy::calibrate {
@@ -94,53 +93,6 @@ TEST(ElasticLimit, ALayeredBodyThatNoPlanesMakeIsToldApart) {
   EXPECT_THAT(elastic_limit(table_of(reversed)),
               AllOf(HasSubstr("a layered elastic body has the E and nu"), HasSubstr("planes add compliance"),
                     HasSubstr("E(0) = 40 GPa"), Not(HasSubstr("no layered"))));
-}
-
-void add_ucs(std::vector<Target>& targets, bool exchanged) {
-  for (const double theta : angles) {
-    const double ucs = theory::jaeger_sigma_1({20e6, 25.0}, 150e6, exchanged ? 90.0 - theta : theta, 0.0);
-    targets.push_back({Property::ucs, theta, ucs, 0.05 * ucs, 3, false});
-  }
-}
-
-std::vector<Target> exchanged_table(const theory::TransverseIsotropy& m) {
-  std::vector<Target> targets = table_of(m);
-  for (Target& t : targets) t.theta = 90.0 - t.theta;
-  return targets;
-}
-
-TEST(ExchangedAngles, AreToldWithTheMisfitsOfBothReadings) {
-  const std::string by_E = exchanged_angles(exchanged_table(jointed));
-  EXPECT_THAT(by_E, AllOf(HasSubstr("theta or beta"), HasSubstr("miss E by 0.0 % instead of"),
-                          Not(HasSubstr("UCS"))));
-  std::vector<Target> both = exchanged_table(jointed);
-  add_ucs(both, true);
-  EXPECT_THAT(exchanged_angles(both), AllOf(HasSubstr("miss E by 0.0 %"), HasSubstr("misses UCS by")));
-  std::vector<Target> ucs;
-  add_ucs(ucs, true);
-  EXPECT_THAT(exchanged_angles(ucs), AllOf(HasSubstr("misses UCS by"), Not(HasSubstr("miss E"))));
-}
-
-TEST(ExchangedAngles, AreNotSuspectedWhereTheDataDoNotDecide) {
-  std::vector<Target> usual = table_of(jointed);
-  add_ucs(usual, false);
-  EXPECT_EQ(exchanged_angles(usual), "");
-  // E falls from 0 to 90, but UCS is least at 57 degrees: the bedding lies as it is said to
-  std::vector<Target> stiff_across = table_of(reversed);
-  add_ucs(stiff_across, false);
-  EXPECT_EQ(exchanged_angles(stiff_across), "");
-  // E falls by less than its errors
-  std::vector<Target> flat;
-  for (const double theta : angles)
-    flat.push_back({Property::E, theta, (40.0 - 0.01 * theta) * 1e9, 1e9, 1, false});
-  EXPECT_EQ(exchanged_angles(flat), "");
-  // equal strengths at all angles, and strengths that are least at 45 degrees
-  std::vector<Target> strengths;
-  for (const double theta : angles) strengths.push_back({Property::ucs, theta, 100e6, 5e6, 3, false});
-  EXPECT_EQ(exchanged_angles(strengths), "");
-  for (Target& t : strengths) t.mean = (60.0 + std::fabs(t.theta - 45.0)) * 1e6;
-  EXPECT_EQ(exchanged_angles(strengths), "");
-  EXPECT_EQ(exchanged_angles({}), "");
 }
 
 // Bonds are as stiff under any stress.

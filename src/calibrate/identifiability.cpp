@@ -157,7 +157,6 @@ std::vector<std::string> advice(const Evidence& evidence) {
                         ? limit
                         : fmt::format("{}. As {} (E_is) E and nu need not be those of an elastic body", limit,
                                       to_string(evidence.rock.E_is)));
-  if (const std::string line = exchanged_angles(evidence.targets); !line.empty()) lines.push_back(line);
   return lines;
 }
 

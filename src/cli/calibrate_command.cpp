@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/quote.hpp"
+#include "calibrate/angle_question.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_words.hpp"
@@ -37,6 +38,8 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   machine.store = begun.store;
   jobs::SpecimenFolder specimens(args.out);
   machine.gallery = &specimens;
+  if (const auto question = calibrate::angle_question(evidence.targets))
+    print_wrapped(width, 2, "{}\n\n", calibrate::text_of(*question));
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   print_notes(rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, width));

@@ -143,7 +143,8 @@ void print_fits(const study::Envelope& envelope, int width) {
   for (S s : envelope.specimens)
     if (!s.knees.empty()) add_line(findings, s.name, knees_text(s));
   for (const std::string& line : findings) print_wrapped(width, 2, "{}\n", line);
-  if (envelope.plane.ok)
+  const std::string no_plane = envelope.plane.no_plane();
+  if (no_plane.empty())
     print_wrapped(
         width, 2,
         "one plane of weakness (Jaeger) over all angles and stresses, matrix \"{}\": c = {:.2f} MPa, "
@@ -151,7 +152,7 @@ void print_fits(const study::Envelope& envelope, int width) {
         envelope.matrix, envelope.plane.plane.cohesion * 1e-6, envelope.plane.plane.friction,
         envelope.plane.R2);
   else
-    print_wrapped(width, 2, "one plane of weakness (Jaeger): no fit: {}\n", envelope.plane.reason);
+    print_wrapped(width, 2, "one plane of weakness (Jaeger): no fit: {}\n", no_plane);
 }
 
 /// Tests without a peak, or with one not to be trusted, which give no reading: why, and what to do; tests

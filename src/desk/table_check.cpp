@@ -92,7 +92,8 @@ Json parameter_json(const ParameterEstimate& e) {
 
 void tell(const Rock& rock, Json& answer) {
   const jobs::RockCheck found = jobs::check(rock);
-  answer["notes"] = found.evidence.rock.notes;
+  answer["doubts"] = found.doubts;
+  answer["notes"] = found.notes;
   for (const Target& t : found.evidence.targets) answer["targets"].push_back(target_json(t));
   const report::TheoryCurves theory = report::theory_curves(found.evidence.targets);
   answer["theory"] = {{"E", curve_json(theory.E)}, {"UCS", curve_json(theory.ucs)}};
@@ -105,9 +106,9 @@ void tell(const Rock& rock, Json& answer) {
 }  // namespace
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
-  Json answer = {{"problems", Json::array()}, {"notes", Json::array()}, {"targets", Json::array()},
-                 {"theory", nullptr},         {"says", Json::array()},  {"parameters", Json::array()},
-                 {"advice", Json::array()},   {"forecast", nullptr}};
+  Json answer = {{"problems", Json::array()},   {"doubts", Json::array()}, {"notes", Json::array()},
+                 {"targets", Json::array()},    {"theory", nullptr},       {"says", Json::array()},
+                 {"parameters", Json::array()}, {"advice", Json::array()}, {"forecast", nullptr}};
   const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
   try {
     tell(io::parse_rock(toml, toml_file, {table, {}}), answer);

@@ -61,6 +61,21 @@ TEST(TableCheck, AGoodTableIsToldAsByRockCheck) {
   EXPECT_THAT(answer["forecast"].get<std::string>(), HasSubstr("foretold"));
 }
 
+TEST(TableCheck, DoubtsStandApartFromNotesTheAnglesFirst) {
+  const std::string reversed =
+      "theta (deg)\tE (GPa)\tUCS (MPa)\n0\t31\t165\n30\t27\t98\n45\t25\t112\n60\t23\t128\n90\t20\t0.15\n";
+  const Json answer = check_answer("shale", toml, with(reversed, "0.15", "150"));
+  ASSERT_EQ(answer["doubts"].size(), 1U) << answer["doubts"];
+  EXPECT_THAT(answer["doubts"][0].get<std::string>(), testing::StartsWith("These angles look like beta."));
+  const Json small = check_answer("shale", toml, reversed);
+  std::size_t said = 0;
+  for (const char* key : {"doubts", "notes"})
+    for (const Json& line : small[key])
+      said += line.get<std::string>().starts_with("look again: UCS(90)") ? 1 : 0;
+  EXPECT_EQ(said, 1U) << small["doubts"] << small["notes"];
+  EXPECT_TRUE(check_answer("shale", toml, good)["doubts"].empty());
+}
+
 TEST(TableCheck, RubbishIsAnsweredToo) {
   for (const std::string& table :
        {std::string(), std::string("\0\0\xff", 3), std::string(5000, ','), std::string("PK\x03\x04")})

@@ -3,33 +3,44 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/text_table.hpp"
+#include "calibrate/angle_question.hpp"
 #include "calibrate/closed_forms.hpp"
 #include "calibrate/forecast.hpp"
 #include "calibrate/identifiability.hpp"
 #include "calibrate/model_choice.hpp"
 #include "calibrate/outliers.hpp"
 #include "calibrate/reach_check.hpp"
+#include "records/rock_warnings.hpp"
 #include "report/calibration_tables.hpp"
 
 namespace phy::jobs {
 namespace {
 
-/// What the table says by itself: closed forms, and values that do not belong to the others.
-std::vector<std::string> what_the_table_says(const calibrate::Evidence& evidence) {
-  std::vector<std::string> lines = calibrate::closed_forms(evidence);
-  for (auto more :
-       {calibrate::outlying_specimens(evidence.rock), calibrate::outlying_cells(evidence.targets)})
-    lines.insert(lines.end(), more.begin(), more.end());
-  return lines;
+/// The sense of the angles, then units and ratios, then values that do not belong to the others.
+std::vector<std::string> doubts_about(const calibrate::Evidence& evidence) {
+  std::vector<std::string> doubts;
+  if (const auto question = calibrate::angle_question(evidence.targets))
+    doubts.push_back(calibrate::text_of(*question));
+  for (auto more : {warnings_about(evidence.rock), calibrate::outlying_specimens(evidence.rock),
+                    calibrate::outlying_cells(evidence.targets)})
+    doubts.insert(doubts.end(), more.begin(), more.end());
+  return doubts;
 }
 
 }  // namespace
 
 RockCheck check(const Rock& read) {
-  RockCheck found{calibrate::Evidence(calibrate::with_model(read, read.layers, read.matrix)), {}, {}, {}, {}};
+  RockCheck found{
+      calibrate::Evidence(calibrate::with_model(read, read.layers, read.matrix)), {}, {}, {}, {}, {}, {}};
   const calibrate::Evidence& evidence = found.evidence;
-  found.says = what_the_table_says(evidence);
+  found.doubts = doubts_about(evidence);
+  for (const std::string& note : evidence.rock.notes)
+    if (std::find(found.doubts.begin(), found.doubts.end(), note) == found.doubts.end())
+      found.notes.push_back(note);
+  found.says = calibrate::closed_forms(evidence);
   const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
   found.parameters = {expected.begin(), expected.end()};
   const calibrate::Evidence as_read(read);
@@ -54,8 +65,10 @@ std::string rock_check(const Rock& read, const std::string& path, int width) {
   const auto items = [&](const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text += wrapped("- " + line + "\n", width, 2);
   };
+  for (const std::string& doubt : found.doubts) text += wrapped(doubt + "\n", width, 2);
+  if (!found.doubts.empty()) text += "\n";
   text += wrapped(fmt::format("rock      {} ({})\n", rock.name, path), width, 10);
-  for (const std::string& note : rock.notes) text += wrapped("          " + note + "\n", width, 10);
+  for (const std::string& note : found.notes) text += wrapped("          " + note + "\n", width, 10);
   text += "\n" + report::target_table(found.evidence.targets, width) + "\n";
   items(found.says);
   if (!found.says.empty()) text += "\n";

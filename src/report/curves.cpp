@@ -107,8 +107,8 @@ void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
   }
   const double matrix = n_ends > 0.0 ? ends / n_ends : strongest;
   const theory::JaegerFit fit = theory::fit_jaeger(readings, matrix);
-  if (!fit.ok) {
-    curves.ucs.note = "No theory curve: " + fit.reason + ".";
+  if (const std::string refused = fit.no_plane(); !refused.empty()) {
+    curves.ucs.note = "No theory curve: " + refused + ".";
     return;
   }
   curves.ucs =
@@ -166,8 +166,9 @@ TheoryCurves theory_curves(const std::vector<Target>& table) {
                     goodman.rock.E * 1e-9, goodman.rock.K_n_delta * 1e-9, goodman.rock.K_s_delta * 1e-9),
         [&](double theta) { return theory::goodman_E(goodman.rock, theta); });
   const theory::JaegerFit jaeger = theory::fit_jaeger_and_matrix(strengths);
-  if (!strengths.empty()) curves.ucs.note = "No curve of Jaeger: " + jaeger.reason + ".";
-  if (jaeger.ok)
+  const std::string refused = jaeger.no_plane();
+  if (!strengths.empty()) curves.ucs.note = "No curve of Jaeger: " + refused + ".";
+  if (refused.empty())
     curves.ucs = sampled(
         fmt::format("Dashed: one plane of weakness (Jaeger 1960) through the laboratory's UCS: c = {:.1f} "
                     "MPa, φ = {:.1f}°, rock of {:.1f} MPa.",

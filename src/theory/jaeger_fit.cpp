@@ -1,5 +1,7 @@
 #include "theory/jaeger_fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,8 @@ namespace phy::theory {
 namespace {
 
 constexpr double largest_friction = 60.0;  // [deg]
+constexpr double at_end = 0.1;             // [deg] from which friction lies at the end of its range
+constexpr double no_cohesion = 1e-3;       // of the matrix
 constexpr int grid = 60;                   // per direction and round; a step of the last is 4e-7 of the range
 constexpr int rounds = 6;
 constexpr double narrower = 0.12;  // 3.6 steps of the grid before to either side
@@ -90,6 +94,15 @@ std::string refusal(const std::vector<StrengthReading>& readings, const Matrix& 
 }
 
 }  // namespace
+
+std::string JaegerFit::no_plane() const {
+  if (!ok) return reason;
+  const std::string nearest = "the nearest plane has ";
+  if (plane.friction < at_end) return nearest + "phi_w = 0 degrees, the end of its range";
+  if (plane.friction > largest_friction - at_end)
+    return nearest + fmt::format("phi_w = {:g} degrees, the end of its range", largest_friction);
+  return plane.cohesion < no_cohesion * matrix_ucs ? nearest + "c_w = 0, the end of its range" : "";
+}
 
 JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, double matrix_ucs) {
   return fit_jaeger(readings, [matrix_ucs](double) { return matrix_ucs; });

@@ -28,6 +28,10 @@ struct JaegerFit {
   Coulomb plane;
   double matrix_ucs = 0.0;  ///< [Pa] unconfined, as given or as fitted
   double R2 = 0.0;          ///< 1 - sum of squares / sum (ucs - mean)^2; NaN when all strengths are equal
+  /// Why the strengths have no plane: `reason`, or that cohesion or friction lies at the end of its range,
+  /// where they pull beyond what a plane can have; "": there is one. Predictions may use a plane at a limit,
+  /// findings may not.
+  std::string no_plane() const;
 };
 
 /// Needs readings at three inclinations, one of them between 20 and 80 degrees, one weaker than the matrix,

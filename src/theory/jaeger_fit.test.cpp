@@ -89,6 +89,24 @@ TEST(JaegerFit, PlaneAndMatrixWantFourInclinations) {
   EXPECT_FALSE(fit_jaeger_and_matrix({}).ok);
 }
 
+// Weakest at 30 degrees: the fit runs to a plane without friction, which no rock has.
+TEST(JaegerFit, AFitAtTheEndOfItsRangeIsNoPlane) {
+  std::vector<StrengthReading> weakest_at_30;
+  const double ucs[] = {57, 50, 42, 48, 52, 61, 67};
+  for (int i = 0; i < 7; ++i) weakest_at_30.push_back({15.0 * i, 1e6 * ucs[i], 0.0});
+  for (const JaegerFit& fit : {fit_jaeger_and_matrix(weakest_at_30), fit_jaeger(weakest_at_30, 62e6)}) {
+    ASSERT_TRUE(fit.ok);
+    EXPECT_NE(fit.no_plane().find("phi_w = 0 degrees, the end of its range"), std::string::npos);
+  }
+  // weaker at 80 degrees than at 75: friction would have to be above 60
+  const std::vector<StrengthReading> one_weak = {{0.0, 1e8, 0.0},  {30.0, 1e8, 0.0}, {60.0, 1e8, 0.0},
+                                                 {70.0, 1e8, 0.0}, {75.0, 8e7, 0.0}, {80.0, 5e7, 0.0},
+                                                 {90.0, 1e8, 0.0}};
+  EXPECT_NE(fit_jaeger_and_matrix(one_weak).no_plane().find("phi_w = 60"), std::string::npos);
+  EXPECT_EQ(fit_jaeger_and_matrix(rock_of(20e6, 0.5, 140e6)).no_plane(), "");
+  EXPECT_EQ(fit_jaeger({}, 1e8).no_plane(), fit_jaeger({}, 1e8).reason);
+}
+
 // Over confining stresses too: a plane of 8 MPa and 25 degrees in Coulomb rock of 30 MPa and 40 degrees.
 TEST(JaegerFit, FindsThePlaneOverConfiningStresses) {
   const Coulomb plane{8e6, 25.0};

@@ -68,6 +68,38 @@ TEST_F(RockCli, ACheckEndsWithTheVerdictThatIsForetold) {
   EXPECT_EQ(output.find('\n', at), output.size() - 1);
 }
 
+// UCS as an angle from the load has it, E and BTS from the horizontal; and a unit that is wrong.
+TEST_F(RockCli, ACheckBeginsWithTheQuestionOfTheAnglesThenTheOtherDoubts) {
+  write("t.csv",
+        "theta [deg],E [GPa],UCS [MPa],BTS [MPa]\n0,20.1,88,8.1\n15,20.5,62,7.9\n30,21.4,41,7.5\n"
+        "45,23,44,6.8\n60,26,58,5.5\n75,28.6,74,4.6\n90,300,82,4.1\n");
+  const std::string rock = write("t.toml", "data = \"t.csv\"\n");
+  ASSERT_EQ(run("rock check " + rock), 0) << output;
+  EXPECT_THAT(output, testing::StartsWith("UCS seems to be counted from the load, E and BTS from the "
+                                          "horizontal"));
+  const std::size_t units = output.find("look again: E(90) = 300 GPa"), table = output.find("rock      t");
+  ASSERT_NE(units, output.npos) << output;
+  EXPECT_LT(units, table) << output;
+  EXPECT_EQ(output.find("look again: E(90) = 300 GPa", units + 1), output.npos) << "said once";
+}
+
+TEST_F(RockCli, ATableOfBetaUnderThetaIsAskedInTheFirstLineOfCheckAndCalibration) {
+  write("t.csv", "theta [deg],E [GPa],UCS [MPa]\n0,31,165\n30,27,98\n45,25,112\n60,23,128\n90,20,150\n");
+  const std::string rock = write("t.toml", "data = \"t.csv\"\n");
+  const auto question =
+      testing::StartsWith("These angles look like beta. With theta = 90 - angle, planes miss ");
+  ASSERT_EQ(run("rock check " + rock), 0) << output;
+  EXPECT_THAT(output, question);
+  small_recipe();
+  const std::string small = write("s.toml", "data = \"t.csv\"\nrecipe = \"small.toml\"\n");
+  ASSERT_THAT(run("calibrate " + small + " --elastic --threads 2 --out " + out()), testing::AnyOf(0, 1))
+      << output;
+  EXPECT_THAT(output, question);
+  write("b.csv", "beta [deg],E [GPa],UCS [MPa]\n0,31,165\n30,27,98\n45,25,112\n60,23,128\n90,20,150\n");
+  ASSERT_EQ(run("rock check " + write("b.toml", "data = \"b.csv\"\n")), 0) << output;
+  EXPECT_THAT(output, AllOf(testing::StartsWith("rock      b"), testing::Not(HasSubstr("look like beta"))));
+}
+
 TEST_F(RockCli, ACheckOfRockWithoutBeddingSaysNothingOfLayers) {
   write("t.csv", "E [GPa],UCS [MPa],BTS [MPa]\n20,100,14\n21,105,13\n19,98,15\n");
   ASSERT_EQ(run("rock check " + write("t.toml", "bedded = false\ndata = \"t.csv\"\n")), 0) << output;

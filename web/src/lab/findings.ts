@@ -45,6 +45,7 @@ function determined(checked: Checked): Child {
 export function findingsView(rock: string): FindingsView {
   const state = h("span", { role: "status" });
   const busy = h("span", { class: "muted" }); // not read aloud at every key
+  const doubts = h("div"); // before all else
   const forecast = h("div");
   const charts = new Figures("grid small");
   const legend = {
@@ -54,7 +55,7 @@ export function findingsView(rock: string): FindingsView {
   };
   const words = h("div");
   return {
-    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), forecast, charts.node, h("ul", { class: "legend" }, ...Object.values(legend)), words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), doubts, forecast, charts.node, h("ul", { class: "legend" }, ...Object.values(legend)), words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
     busy: (words) => (busy.textContent = words),
     show(checked, says) {
       busy.textContent = "";
@@ -73,6 +74,7 @@ export function findingsView(rock: string): FindingsView {
       legend.mean.hidden = drawn.length === 0;
       legend.specimens.hidden = !drawn.some((t) => (t.specimens ?? []).length > 0);
       legend.theory.hidden = !drawn.some((t) => (checked.theory?.[t.property]?.theta ?? []).length > 0);
+      keyed(doubts, checked.doubts, () => checked.doubts.map((d) => h("p", { class: "notice" }, d)));
       keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, plainly(checked.forecast))]);
       keyed(words, checked, () => [
         !bedded && targets.length > 0 && numbers(targets, false),

@@ -134,6 +134,7 @@ export interface Curve {
 
 export interface Checked {
   problems: Problem[];
+  doubts: string[];
   notes: string[];
   targets: Target[] | null;
   theory: Record<string, Curve> | null;

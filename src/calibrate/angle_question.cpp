@@ -1,0 +1,276 @@
+#include "calibrate/angle_question.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "base/exact_math.hpp"
+#include "theory/jaeger.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr double tables_exchanged = 0.1;  // share of tables whose angles are the complements
+constexpr double columns_apart = 0.05;    // share of columns that count otherwise than their table
+constexpr double share_isotropic = 0.5;   // of what is expected of a property before its values are seen
+
+/// Logarithm of a property over theta, but for its level.
+using Curve = std::function<double(double)>;
+
+/// The curves that layers give a property, and how far to trust them.
+struct Sense {
+  std::vector<Curve> curves;
+  double off;         ///< by which rocks are off the nearest of these curves, relative
+  double exceptions;  ///< share of rocks that break the rule
+};
+
+double squared(double x) { return x * x; }
+
+/// 0, then from `least` in steps of a factor up to `most`.
+std::vector<double> zero_and_steps(double least, double factor, double most) {
+  std::vector<double> values = {0.0};
+  for (double v = least; v <= most; v *= factor) values.push_back(v);
+  return values;
+}
+
+/// 1/value grows by what planes yield across them, in proportion to `normal`, and by slip along them.
+std::vector<Curve> softened_by_planes(const std::function<double(const SinCos&)>& normal, double most_slip) {
+  std::vector<Curve> curves;
+  for (const double across : zero_and_steps(0.05, 1.4, 5.0))
+    for (const double slip : zero_and_steps(0.1, 1.6, most_slip))
+      curves.emplace_back([=](double theta) {
+        const SinCos a = sin_cos_degrees(theta);
+        return -std::log(1.0 + across * normal(a) + slip * squared(a.sin * a.cos));
+      });
+  return curves;
+}
+
+/// Slip on a plane (Jaeger) below shoulders that lean to either side, with sharp and with round corners: the
+/// lower of two strengths by the norm of their inverses.
+std::vector<Curve> weak_planes() {
+  std::vector<Curve> curves;
+  for (const double friction : {10.0, 20.0, 30.0, 40.0})
+    for (const double depth : zero_and_steps(0.1, 1.36, 0.9))
+      for (const double corner : {2.0, 6.0})
+        for (const double lean : {-0.1, -0.05, 0.0, 0.05, 0.1})
+          curves.emplace_back([=, plane = theory::Coulomb{1.0, friction}](double theta) {
+            const double slip = theory::weak_plane_sigma_1(plane, theta, 0.0) /
+                                theory::weak_plane_minimum(plane, 0.0).sigma_1;
+            const double yields = std::pow((1.0 - depth) * slip, -corner);
+            return -std::log1p(yields) / corner + lean * sin_cos_degrees(2.0 * theta).cos;
+          });
+  return curves;
+}
+
+const std::map<Property, Sense>& senses() {
+  static const std::map<Property, Sense> all = [] {
+    const auto along = [](const SinCos& a) { return squared(a.sin); };
+    const auto across = [](const SinCos& a) { return squared(a.cos); };
+    const auto strain_across = [](const SinCos& a) { return squared(squared(a.cos)); };
+    const Sense slip{weak_planes(), 0.05, 0.01}, split{softened_by_planes(along, 1.0), 0.08, 0.02};
+    return std::map<Property, Sense>{
+        {Property::E, {softened_by_planes(strain_across, 5.0), 0.04, 0.08}},
+        {Property::ucs, slip},
+        {Property::confined, slip},
+        {Property::direct_tension, {softened_by_planes(across, 1.0), 0.08, 0.02}},
+        {Property::brazilian, split},
+        {Property::fracture_toughness, split}};
+  }();
+  return all;
+}
+
+/// Cells of one test, as logarithms, with the weights that errors and theory give them.
+struct Cells {
+  std::vector<double> theta, log_value, weight;
+};
+
+Cells cells_of(const std::vector<Target>& test, double off, bool exchanged) {
+  Cells cells;
+  for (const Target& t : test) {
+    cells.theta.push_back(exchanged ? 90.0 - t.theta : t.theta);
+    cells.log_value.push_back(std::log(t.mean));
+    cells.weight.push_back(1.0 / (squared(t.normal_error() / t.mean) + squared(off)));
+  }
+  return cells;
+}
+
+/// One curve against cells, at the level that suits them best.
+struct CurveMisfit {
+  double chi_square = 0.0, squares = 0.0;  ///< the latter of relative misses, unweighted
+};
+
+CurveMisfit misfit_of(const Curve& curve, const Cells& cells) {
+  std::vector<double> distance;
+  double weights = 0.0, level = 0.0;
+  for (std::size_t i = 0; i < cells.theta.size(); ++i) {
+    distance.push_back(cells.log_value[i] - curve(cells.theta[i]));
+    weights += cells.weight[i], level += cells.weight[i] * distance[i];
+  }
+  level /= weights;
+  CurveMisfit misfit;
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    misfit.chi_square += cells.weight[i] * squared(distance[i] - level);
+    misfit.squares += squared(std::expm1(level - distance[i]));
+  }
+  return misfit;
+}
+
+/// How a test lies to the curves of its property.
+struct Likeness {
+  double log_mean = 0.0;  ///< of exp(-chi^2/2) over the curves
+  double squares = 0.0;   ///< of the relative misses of the nearest
+};
+
+Likeness likeness(const std::vector<Target>& test, const Sense& sense, bool exchanged) {
+  const Cells cells = cells_of(test, sense.off, exchanged);
+  const CurveMisfit flat = misfit_of([](double) { return 0.0; }, cells);
+  CurveMisfit nearest = flat;
+  std::vector<double> chi_squares;
+  for (const Curve& curve : sense.curves) {
+    const CurveMisfit m = misfit_of(curve, cells);
+    if (m.chi_square < nearest.chi_square) nearest = m;
+    chi_squares.push_back(m.chi_square);
+  }
+  // against underflow in units of the nearest
+  const auto likely = [&](double chi_square) { return std::exp(0.5 * (nearest.chi_square - chi_square)); };
+  double mean = 0.0;
+  for (const double c : chi_squares) mean += likely(c) / static_cast<double>(chi_squares.size());
+  const double m = share_isotropic * likely(flat.chi_square) + (1.0 - share_isotropic) * mean;
+  return {std::log(m) - 0.5 * nearest.chi_square, nearest.squares};
+}
+
+/// Cells of one property, test by test: discs of one diameter, strengths under one stress.
+std::vector<std::vector<Target>> tests_of(const std::vector<Target>& targets, Property p) {
+  std::vector<std::vector<Target>> tests;
+  for (const Target& t : of_property(targets, p)) {
+    const auto same = [&](const std::vector<Target>& test) { return same_test(test.front(), t); };
+    const auto found = std::find_if(tests.begin(), tests.end(), same);
+    if (found == tests.end())
+      tests.push_back({t});
+    else
+      found->push_back(t);
+  }
+  return tests;
+}
+
+/// ln(((1 - e) m' + e m)/((1 - e) m + e m')) of d = ln(m'/m).
+double bounded(double d, double e) {
+  const auto log_of = [e](double x) {  // ln((1 - e) exp(x) + e), x <= 0 or not
+    return x > 0.0 ? x + std::log1p(-e + e * std::exp(-x)) : std::log((1.0 - e) * std::exp(x) + e);
+  };
+  return log_of(d) - d - log_of(-d);
+}
+
+AngleEvidence evidence_of(Property p, const Sense& sense, const std::vector<Target>& targets) {
+  AngleEvidence found;
+  found.property = p;
+  double as_read = 0.0, complement = 0.0, log_ratio = 0.0, n = 0.0;
+  for (const std::vector<Target>& cells : tests_of(targets, p)) {
+    const Likeness here = likeness(cells, sense, false), there = likeness(cells, sense, true);
+    log_ratio += there.log_mean - here.log_mean;
+    as_read += here.squares, complement += there.squares, n += static_cast<double>(cells.size());
+  }
+  found.log_odds = bounded(log_ratio, sense.exceptions);
+  found.as_read = std::sqrt(as_read / n), found.complement = std::sqrt(complement / n);
+  return found;
+}
+
+/// Of a reading of n columns by which k are exchanged.
+double log_prior(int k, int n) {
+  const double q = tables_exchanged, r = columns_apart;
+  return std::log((1.0 - q) * std::pow(r, k) * std::pow(1.0 - r, n - k) +
+                  q * std::pow(r, n - k) * std::pow(1.0 - r, k));
+}
+
+/// Marks what the likeliest reading exchanges.
+void mark_exchanged(std::vector<AngleEvidence>& properties) {
+  const int n = static_cast<int>(properties.size());
+  unsigned best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (unsigned reading = 0; reading < 1U << n; ++reading) {
+    double log_p = 0.0;
+    int exchanged = 0;
+    for (int i = 0; i < n; ++i)
+      if ((reading >> i & 1U) != 0) log_p += properties[static_cast<std::size_t>(i)].log_odds, ++exchanged;
+    log_p += log_prior(exchanged, n);
+    if (log_p > most) most = log_p, best = reading;
+  }
+  for (int i = 0; i < n; ++i) properties[static_cast<std::size_t>(i)].exchanged = (best >> i & 1U) != 0;
+}
+
+}  // namespace
+
+std::optional<AngleQuestion> angle_question(const std::vector<Target>& targets) {
+  AngleQuestion question;
+  const std::vector<Target> some = least_confined(targets);
+  for (const auto& [property, sense] : senses())
+    if (const std::vector<Target> cells = of_property(some, property); std::any_of(
+            cells.begin(), cells.end(), [&](const Target& t) { return t.theta != cells.front().theta; }))
+      question.properties.push_back(evidence_of(property, sense, cells));
+  mark_exchanged(question.properties);
+  if (std::none_of(question.properties.begin(), question.properties.end(),
+                   [](const AngleEvidence& e) { return e.exchanged; }))
+    return std::nullopt;
+  return question;
+}
+
+namespace {
+
+/// "E", "E and UCS", "E, UCS and BTS".
+std::string list_in_words(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+std::string names_of(const std::vector<AngleEvidence>& some) {
+  std::vector<std::string> names;
+  for (const AngleEvidence& e : some) names.emplace_back(to_string(e.property));
+  return list_in_words(names);
+}
+
+/// "UCS by 9 instead of 24 % and E by 3 instead of 19 %": what planes miss by one reading, and by the other.
+std::string misses_in_words(const std::vector<AngleEvidence>& some, bool complement) {
+  std::vector<std::string> misses;
+  for (const AngleEvidence& e : some)
+    misses.push_back(fmt::format("{} by {:.0f} instead of {:.0f} %", to_string(e.property),
+                                 100.0 * (complement ? e.complement : e.as_read),
+                                 100.0 * (complement ? e.as_read : e.complement)));
+  return list_in_words(misses);
+}
+
+/// "UCS seems to be counted from the load, E and BTS from the horizontal ..."
+std::string text_of_some(const std::vector<AngleEvidence>& apart, const std::vector<AngleEvidence>& others) {
+  const std::string names = names_of(apart);
+  const bool one = apart.size() == 1;
+  return fmt::format(
+      "{} {} to be counted from the load, {} from the horizontal (in a column beta: the reverse). With "
+      "theta = 90 - angle, planes miss {}. As written they miss {}. Give {} rows of {} own with 90 - angle, "
+      "or keep the table and ignore this.",
+      names, one ? "seems" : "seem", names_of(others), misses_in_words(apart, true),
+      misses_in_words(others, false), names, one ? "its" : "their");
+}
+
+}  // namespace
+
+bool AngleQuestion::of_whole_table() const {
+  return std::all_of(properties.begin(), properties.end(),
+                     [](const AngleEvidence& e) { return e.exchanged; });
+}
+
+std::string text_of(const AngleQuestion& question) {
+  if (question.of_whole_table())
+    return "These angles look like beta. With theta = 90 - angle, planes miss " +
+           misses_in_words(question.properties, true) +
+           ". Rename the column to beta (a column beta: to theta), or keep it and ignore this.";
+  std::vector<AngleEvidence> apart, others;
+  for (const AngleEvidence& e : question.properties) (e.exchanged ? apart : others).push_back(e);
+  return text_of_some(apart, others);
+}
+
+}  // namespace phy::calibrate
