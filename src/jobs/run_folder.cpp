@@ -99,8 +99,10 @@ std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
     return std::filesystem::exists(std::filesystem::path(folder) / file);
   };
   const auto problem = [&](const char* what) {
-    return Problem{"command line", "--out", folder, fmt::format("a folder without {}", what),
-                   "its report.html can be that of one thing: use another --out"};
+    const char* own_name = own == PageOf::run ? "a run" : own == PageOf::study ? "a study" : "a calibration";
+    return Problem{"command line", "--out", folder, "",
+                   fmt::format("it holds {}, and {} would overwrite its report.html. Choose another --out",
+                               what, own_name)};
   };
   if (own != PageOf::calibration && (has("calibration.json") || has("calibration-of.txt")))
     return problem("a calibration");
