@@ -176,6 +176,12 @@ INSTANTIATE_TEST_SUITE_P(
             "r.toml is a study, not a recipe. To run it: phyllite study r.toml"},
         Bad{"a_study_or_a_rock", "recipe = \"press.toml\"\n",
             "r.toml:1: recipe = \"press.toml\": a recipe names no other"},
+        Bad{"bare_gap", "[matrix]\nbond_gap = 0.0125\n",
+            "0 mm <= value <= 100 m; has no unit; in PFC it would be \"0.0125 m\""},
+        Bad{"gap_beyond_a_neighbour", "[matrix]\nbond_gap = \"2 mm\"\n",
+            "at most the largest grain diameter, 0.83 mm"},
+        Bad{"gap_by_pfcs_name", "[matrix]\ngap = 3.5e-5\n",
+            "PFC's \"gap\" is given by matrix.bond_gap: write bond_gap = \"35 um\""},
         Bad{"thousand_times_too_stiff", "[matrix]\nE_c = \"38000 GPa\"\n",
             "expected 1 kPa <= value <= 10000 GPa; did you mean \"38000 MPa\"?"},
         Bad{"thousand_times_too_fast", "[test]\nplaten_speed = \"50 m/s\"\n", "did you mean \"50 mm/s\"?"},
@@ -404,6 +410,16 @@ TEST(Recipe, KeysOfOneTestAreWrittenForItAlone) {
   r.test.kind = TestKind("semi_circular_bend");
   EXPECT_NE(write_recipe(r).find("notch_ratio = 0.45"), std::string::npos);
   EXPECT_EQ(parse_recipe(write_recipe(r), "r.toml").test.notch_ratio, 0.45);
+}
+
+// gap = rdmin, 0.8 of the mean radius, as scripts for PFC have it.
+TEST(Recipe, AGapOfBondsIsALength) {
+  const Recipe r = parse_recipe(
+      "[specimen]\nwidth = \"0.1 m\"\nheight = \"0.2 m\"\n[packing]\nradius_min = \"2 mm\"\n"
+      "radius_max = \"3 mm\"\nporosity = 0.16\n[matrix]\nbond_gap = \"2 mm\"\n",
+      "r.toml");
+  EXPECT_EQ(r.matrix.bond_gap, 0.002);
+  EXPECT_THAT(write_recipe(r), HasSubstr("bond_gap = \"2 mm\""));
 }
 
 // Laws have no length of their own but the grain's.

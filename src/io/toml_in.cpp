@@ -131,6 +131,10 @@ std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& wher
                         "the file has " + std::to_string(file.discs.size()) + " discs: leave it out"});
   double largest = 0.0;
   for (const Disc& d : file.discs) largest = std::max(largest, 2.0 * d.r);
+  if (recipe.matrix.bond_gap > largest)
+    problems.push_back({where, "matrix.bond_gap", length(recipe.matrix.bond_gap),
+                        "at most the largest grain diameter, " + length(largest),
+                        "wider bonds would reach past a neighbour"});
   for (std::size_t i = 0; i < recipe.bedding.size(); ++i)
     if (recipe.bedding[i].has_planes() && recipe.bedding[i].spacing < largest)
       problems.push_back({where, "bedding[" + std::to_string(i) + "].spacing",

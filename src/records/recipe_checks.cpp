@@ -165,6 +165,11 @@ class CrossChecks {
                       "matrix.cohesion_ratio", "matrix.cohesion_oblique"},
                      print_quantity(m.foliation, Dimension::angle), "0 deg where all ratios are 1",
                      "leave it out, or give the matrix directions by one of its ratios");
+    const double grain = 2.0 * r_.packing.radius_max;
+    if (m.bond_gap > grain && r_.packing.file.empty())
+      report_problem({"matrix.bond_gap", "packing.radius_max", "packing.file"}, length(m.bond_gap),
+                     "at most the largest grain diameter, " + length(grain),
+                     "wider bonds would reach past a neighbour");
   }
 
   void bedding(std::size_t i) {

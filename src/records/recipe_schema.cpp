@@ -152,8 +152,9 @@ void add_matrix(List& l) {
   l.quantity("matrix", "tau_c_sd", stress, 0, 1e13, "", "standard deviation of tau_c", part, &M::tau_c_sd);
   l.quantity("matrix", "phi", Dimension::angle, 0, 80, "pb_fa, fj_fa",
              "friction angle of bonds, with cohesion_friction", part, &M::phi);
-  l.number("matrix", "bond_gap", 0, 0.5, "install gap",
-           "bonds at gaps up to this fraction of the pair's mean radius", part, &M::bond_gap);
+  l.quantity("matrix", "bond_gap", Dimension::length, 0, largest_grain, "gap",
+             "bonds at gaps up to this length; 0: where discs touch (gaps below 1e-6 of their mean radius)",
+             part, &M::bond_gap);
   l.number("matrix", "unbonded_fraction", 0, 0.9, "",
            "share of these contacts that get no bond (linear contact only; of flat joints: a slit)", part,
            &M::unbonded_fraction)
