@@ -38,7 +38,7 @@ const std::vector<FileKind>& file_kinds() {
        {},
        "a study",
        "To run it: phyllite study "},
-      {"file of regressions", {"line"}, {}, "a list of published lines", "A study names it: regressions = "}};
+      {"file of regressions", {"line"}, {}, "a list of published lines", "Name it in a study, under regressions: "}};
   return kinds;
 }
 
