@@ -38,7 +38,11 @@ const std::vector<FileKind>& file_kinds() {
        {},
        "a study",
        "To run it: phyllite study "},
-      {"file of regressions", {"line"}, {}, "a list of published lines", "Name it in a study, under regressions: "}};
+      {"file of regressions",
+       {"line"},
+       {},
+       "a list of published lines",
+       "Name it in a study, under regressions: "}};
   return kinds;
 }
 
@@ -76,6 +80,7 @@ std::string ending_of(const std::string& path) {
 }  // namespace
 
 void refuse_other_kind(const TomlValue& root, const std::string& where, const std::string& wanted) {
+  if (root.keys.empty() || root.keys.front().line == 0) return;  // of no file, which no verb takes
   const FileKind* other = nullptr;
   for (const FileKind& kind : file_kinds()) {
     if (!has_words_of(kind, root)) continue;

@@ -60,6 +60,14 @@ TEST(FileKinds, WordsOfTwoKindsGoByTheirForm) {
   EXPECT_THAT(as("rock", "[matrix]\nmu = 1\n"), HasSubstr("is a recipe"));
 }
 
+// Keys given to a function (line 0) are told one by one.
+TEST(FileKinds, KeysOfNoFileAreNoFile) {
+  std::vector<Problem> problems;
+  TomlValue keys = parse_toml(rock, "", problems);
+  for (TomlValue::Key& key : keys.keys) key.line = 0;
+  EXPECT_NO_THROW(refuse_other_kind(keys, "Recipe", "recipe"));
+}
+
 // A word that is listed for a kind is a key or a table of its schema.
 TEST(FileKinds, EveryKeyOfARockOnItsOwnIsOfARock) {
   for (const Field& f : rock_schema().fields) {
