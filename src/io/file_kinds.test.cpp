@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/in_folder_fixture.hpp"
 #include "io/regressions.hpp"
 #include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
@@ -80,7 +81,7 @@ TEST(FileKinds, EveryKeyOfARockOnItsOwnIsOfARock) {
 }
 
 TEST(FileKinds, TablesNeedARockFile) {
-  for (const char* table : {"slate.csv", "slate.XLSX"}) try {
+  for (const char* table : {"slate.csv", "slate.XLSX", "slate.ags"}) try {
       read_user_file(table, "recipe");
       FAIL() << table;
     } catch (const InputError& e) {
@@ -89,6 +90,13 @@ TEST(FileKinds, TablesNeedARockFile) {
                                            "phyllite rock new NAME --data " +
                                            table);
     }
+}
+
+// Editors of Windows name a recipe r.toml.txt.
+class TextFiles : public InFolder {};
+TEST_F(TextFiles, AreTablesWithoutKeys) {
+  EXPECT_EQ(read_user_file(write("r.toml.txt", recipe), "recipe"), recipe);
+  EXPECT_THROW(read_user_file(write("t.txt", "sigma1 sigma3\n100 10\n"), "recipe"), InputError);
 }
 
 TEST(FileKinds, ReadersRefuseTheOther) {
