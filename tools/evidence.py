@@ -234,6 +234,11 @@ def granite_numbers(results):
     return dict(sorted(out.items(), reverse=True))
 
 
+def gap_text(gap):
+    """A bond gap [m]; without one discs have to touch."""
+    return f"{gap * 1e6:g} um" if gap > 0 else "0: touching"
+
+
 def theirs(name):
     value, source = THEIRS[name]
     return f"{value} ({source})"
@@ -250,7 +255,7 @@ def matches(numbers):
     for gap, tests in numbers.items():
         rows = tests.get("ucs", [])
         strong = within(THEIRS["UCS"][0], column(rows, "ucs", 1e-6))
-        gaps += [f"{gap:g}"] * strong
+        gaps += [gap_text(gap)] * strong
         for reading, pairs in readings(rows).items():
             hit = within(THEIRS["E"][0], [p[0] for p in pairs])
             all_[reading[2]] += 1
@@ -265,13 +270,13 @@ def granite_section(results):
     rows = []
     for gap, tests in numbers.items():
         for (place, kind, plane), pairs in readings(tests.get("ucs", [])).items():
-            rows.append([f"{gap:g}", place, kind, plane, shown([p[0] for p in pairs], 1), shown([p[1] for p in pairs], 3), len(pairs)])
+            rows.append([gap_text(gap), place, kind, plane, shown([p[0] for p in pairs], 1), shown([p[1] for p in pairs], 3), len(pairs)])
     text = GRANITE + table(["bonds at gaps up to", "strains of", "E", "plane", "E [GPa]", "nu", "packings"], rows)
     text += f"\nTheirs: E {THEIRS['E'][0]} GPa ({THEIRS['E'][1]}).\n\n"
     rows = []
     for gap, tests in numbers.items():
         ucs, bts, jaws, confined = (tests.get(k, []) for k in ("ucs", "bts", "jaws", "confined"))
-        rows.append([f"{gap:g}", shown(column(ucs, "ucs", 1e-6), 1), shown(column(ucs, "sigma_ci", 1e-6), 1), shown(column(bts, "bts", 1e-6), 1),
+        rows.append([gap_text(gap), shown(column(ucs, "ucs", 1e-6), 1), shown(column(ucs, "sigma_ci", 1e-6), 1), shown(column(bts, "bts", 1e-6), 1),
                      shown(column(jaws, "bts", 1e-6), 1), shown(friction_angles(ucs, confined), 1),
                      f"{len(ucs)}, {len(bts)}, {len(jaws)}, {len(confined)}"])
     rows.append(["theirs", theirs("UCS"), "not known here", theirs("BTS"), theirs("BTS"), theirs("phi"), ""])

@@ -77,7 +77,9 @@ TEST(ClosedForms, WhatEq1CannotHoldIsToldWithItsCause) {
   Rock rock = bedded();
   for (const double theta : {0.0, 30.0, 60.0, 90.0})
     rock.readings.push_back(reading(Property::E, theta, 40e9 - 2e8 * theta));
-  EXPECT_THAT(eq1_line(Evidence(rock)), AllOf(HasSubstr("none, 1/(K_n delta) = -"), Not(HasSubstr("type"))));
+  EXPECT_THAT(eq1_line(Evidence(rock)),
+              AllOf(HasSubstr("none, across its planes the rock is no softer than the reference E = "),
+                    HasSubstr(" GPa, so no K_n follows"), Not(HasSubstr("type")), Not(HasSubstr("1/Pa"))));
 }
 
 TEST(ClosedForms, JaegerTellsThePlaneThatMadeTheTable) {

@@ -202,6 +202,7 @@ double modulus_of(const TestResult& result, Property property, ModulusReading re
 
 Recipe coarse(Recipe r) {
   r.packing.radius_min *= coarse_factor, r.packing.radius_max *= coarse_factor;
+  r.matrix.bond_gap *= coarse_factor;
   r.packing.n_grains =
       std::llround(static_cast<double>(r.packing.n_grains) / (coarse_factor * coarse_factor));
   for (BeddingRecipe& b : r.bedding) {

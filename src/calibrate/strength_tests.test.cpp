@@ -90,6 +90,16 @@ TEST_F(Loaded, TheSearchIsFasterAndApproachesFarther) {
 
 // E is that of the stress which the platens bring on.
 // One draw for all packings would give every specimen the bridges of the others.
+// Gaps that are bonded grow with the grains: the same share of pairs is.
+TEST(Coarse, GapsOfBondsGrowWithTheGrains) {
+  Recipe r;
+  r.matrix.bond_gap = 1e-5;
+  const Recipe large = coarse(r);
+  EXPECT_GT(large.packing.radius_min, 1.5 * r.packing.radius_min);
+  EXPECT_DOUBLE_EQ(large.matrix.bond_gap / large.packing.radius_min,
+                   r.matrix.bond_gap / r.packing.radius_min);
+}
+
 TEST(SingleAt, EachPackingHasBridgesOfItsOwn) {
   Recipe r;
   r.bedding.resize(1), r.matrix.bond_seed = 9;

@@ -245,8 +245,9 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
   const std::string tests = (fs::path(args.out) / "ensemble.csv").string();
   const std::string band = (fs::path(args.out) / "band.csv").string();
   if (fs::exists(fs::path(args.out) / "calibration.json"))
-    throw InputError(Problem{"command line", "--out", args.out, "a folder without a calibration",
-                             "tests of an ensemble have a folder of their own"});
+    throw InputError(Problem{"command line", "--out", args.out, "",
+                             "it holds a calibration, and tests of an ensemble have a folder of their own. "
+                             "Choose another --out"});
   io::check_outputs({tests, band});
   io::check_writable(args.out);
   std::vector<Job> jobs = jobs_of(draws, confining);

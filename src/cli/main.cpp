@@ -68,7 +68,18 @@ phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e
   if (!lost.empty())
     return phy::InputError(phy::Problem{"command line", "", fmt::format("{}", fmt::join(lost, " ")),
                                         "nothing more after " + name, "put a name with spaces in quotes"});
-  return phy::InputError(phy::Problem{fmt::format("command line: {}", e.what()), "", "", "", help});
+  return phy::InputError(phy::Problem{fmt::format("command line: {}; {}", e.what(), help), "", "", "", ""});
+}
+
+/// An empty name of a file or folder would be the folder that the shell is in.
+void refuse_empty_names(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (const std::string type = option->get_type_name(); type == "FILE" || type == "FOLDER")
+      option->check([type](const std::string& name) {
+        return name.empty() ? fmt::format("the name of a {} is empty", type == "FILE" ? "file" : "folder")
+                            : std::string();
+      });
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_names(*verb);
 }
 
 int run(int argc, char** argv) {
@@ -110,6 +121,7 @@ int run(int argc, char** argv) {
   phy::cli::add_lab_command(app, session);
   phy::cli::add_man_command(app, session);
   phy::cli::add_completion_command(app, session);
+  refuse_empty_names(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -32,13 +32,28 @@ void check_free(const char* verb, const std::string& name, const std::vector<std
           Problem{"command line", verb, name + ending, "a name that is free", "nothing was written"});
 }
 
-/// Who gives the file that will be written means the name of the rock.
-std::string without_ending(const std::string& name, const std::string& ending) {
-  return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
+/// Who gives the file that will be written, or a table, means the name of the rock.
+std::string without_ending(const std::string& name) {
+  for (const char* ending : {".toml", ".csv", ".tsv", ".xlsx", ".xls"})
+    if (name.ends_with(ending)) return name.substr(0, name.size() - std::string_view(ending).size());
+  return name;
+}
+
+/// `given`: as typed, maybe with an ending. A table that is there is no table to be written.
+void check_no_table(const std::string& given) {
+  const std::string name = without_ending(given);
+  const std::string table = given != name && !given.ends_with(".toml") ? given : name + ".csv";
+  if (std::filesystem::exists(table))
+    throw InputError(
+        Problem{"command line", "rock new", table, "",
+                fmt::format("the file is there already. If it is your table: phyllite rock new {} "
+                            "--data {}",
+                            sh_word(name), sh_word(table))});
 }
 
 /// `data`: a table that is there; without it one is written, too.
-int rock_new(const std::string& name, const std::string& data) {
+int rock_new(const std::string& given, const std::string& data) {
+  const std::string name = without_ending(given);
   check_free("rock new", name, {".toml"});
   const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
   const std::string stem = toml.stem().string();
@@ -52,7 +67,7 @@ int rock_new(const std::string& name, const std::string& data) {
               toml.string(), sh_word(toml.string()));
     return 0;
   }
-  check_free("rock new", name, {".csv"});
+  check_no_table(given);
   io::write_file(csv.string(), io::rock_table_template());
   try {
     io::write_file(toml.string(), io::rock_template(stem, stem + ".csv"));
@@ -140,8 +155,7 @@ void add_rock_command(CLI::App& app, Session& session) {
           "--data", *data,
           "a table that is there (CSV, .xlsx, AGS 4): NAME.toml names it, and no NAME.csv is written")
       ->type_name("FILE");
-  fresh->callback(
-      [name, data, &session] { session.exit_code = rock_new(without_ending(*name, ".toml"), *data); });
+  fresh->callback([name, data, &session] { session.exit_code = rock_new(*name, *data); });
   auto path = std::make_shared<std::string>();
   CLI::App* check = rock->add_subcommand("check", "what a rock's data can and cannot determine");
   check->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");
@@ -159,7 +173,7 @@ void add_rock_command(CLI::App& app, Session& session) {
   twin->callback([=, &session] {
     const auto which = std::find(readings.begin(), readings.end(), *E_is) - readings.begin();
     session.exit_code =
-        rock_twin(*recipe, without_ending(*name, ".csv"), static_cast<ModulusReading>(which), session);
+        rock_twin(*recipe, without_ending(*name), static_cast<ModulusReading>(which), session);
   });
 }
 

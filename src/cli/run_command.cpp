@@ -43,6 +43,8 @@ struct RunArguments {
   bool ensemble = false, with_untrusted = false;
 };
 
+constexpr double least_overlap = 1e-6;  // of the radius; below it a relaxed packing carries nothing
+
 void print_packing(const Packing& p, double seconds, bool cached, int width) {
   const PackingReport& r = p.report;
   print_wrapped(
@@ -79,6 +81,16 @@ void print_bedding(const Specimen& s, int width) {
   }
 }
 
+/// Discs that found room without pressing on each other: where they meet is chance, not a packing.
+void tell_loose_packing(const Packing& p, const Recipe& recipe, int width) {
+  const bool made = recipe.packing.file.empty() && p.stress_free;
+  if (!made || p.report.mean_overlap > least_overlap) return;
+  print_wrapped(
+      width, 10,
+      "          LOOSE: the discs do not press on each other at this porosity, and bonds are where gaps "
+      "are below matrix.bond_gap; lower the porosity for contacts\n");
+}
+
 struct Made {
   std::shared_ptr<const Packing> packing;
   std::vector<std::shared_ptr<const Specimen>> specimens;
@@ -97,6 +109,7 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
     print_wrapped(width, 10, "          it is not kept for the next run: {} cannot be written\n",
                   genesis::cache_file(folder, key).string());
   }
+  tell_loose_packing(*made.packing, recipe, width);
   for (Specimen& s : genesis::make_specimens(made.packing, recipe))
     made.specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
   if (!made.specimens.empty()) print_bedding(*made.specimens.front(), width);

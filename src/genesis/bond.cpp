@@ -61,10 +61,10 @@ std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix) {
   for (const Disc& d : packing.discs) r_max = std::max(r_max, d.r);
   const Vec2 foliation_normal = plane_normal(matrix.foliation);
   std::vector<Contact> contacts;
-  for (const Pair& p : near_pairs(packing.discs, std::max(matrix.bond_gap, 0.0) * r_max)) {
+  for (const Pair& p : near_pairs(packing.discs, matrix.bond_reach(r_max))) {
     const Disc& a = packing.discs[p.a];
     const Disc& b = packing.discs[p.b];
-    if (gap(a, b) > matrix.bond_gap * 0.5 * (a.r + b.r)) continue;
+    if (gap(a, b) > matrix.bond_reach(0.5 * (a.r + b.r))) continue;
     Contact c;
     c.a = p.a;
     c.b = p.b;

@@ -24,8 +24,8 @@ constexpr double strength_cut = 3.0;
 double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, std::uint32_t a,
                      std::uint32_t b);
 
-/// All pairs with gap <= bond_gap times their mean radius, bonded but for the unbonded and gapped fractions,
-/// sorted by (a, b).
+/// All pairs that touch or have a gap <= bond_gap, bonded but for the unbonded and gapped fractions, sorted
+/// by (a, b).
 std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix);
 
 }  // namespace phy::genesis

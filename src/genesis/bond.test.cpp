@@ -86,6 +86,25 @@ TEST(Bond, JoinsPairsUpToTheGap) {
   EXPECT_EQ(contacts[0].kind, ContactKind::bonded);
 }
 
+// The gap is a length, whatever the size of the discs.
+TEST(Bond, GapIsALength) {
+  MatrixRecipe m;
+  m.bond_gap = 0.4;
+  EXPECT_EQ(bond(row({0.39, 0.41, 0.0}), m).size(), 2U);
+  Packing large = row({0.0039, 0.0041, 0.0});
+  for (Disc& d : large.discs) d.x *= 100.0, d.y *= 100.0, d.r *= 100.0;
+  EXPECT_EQ(bond(large, m).size(), 2U);
+}
+
+// Rounding of a relaxed packing grows with the discs: what touches does so at any size.
+TEST(Bond, TouchingGrowsWithTheDiscs) {
+  for (const double size : {1e-4, 1.0, 50.0}) {
+    Packing p = row({0.9e-6, 1.1e-6});
+    for (Disc& d : p.discs) d.x *= size, d.y *= size, d.r *= size;
+    EXPECT_EQ(bond(p, MatrixRecipe{}).size(), 1U) << size;
+  }
+}
+
 TEST(Bond, StrengthsDoNotDependOnOtherBonds) {
   const std::vector<Contact> all = bond(row({0.0, 0.0, 0.0, 0.0}), MatrixRecipe{});
   const std::vector<Contact> few = bond(row({0.5, 0.0, 0.5, 0.0}), MatrixRecipe{});

@@ -44,7 +44,7 @@ Packing cut_half_disc(const Packing& packing, const SpecimenCut& cut, double bon
     return d.y < middle.y || norm(Vec2{d.x, d.y} - middle) > radius;
   });
   const double r_max = largest_radius(half);
-  const double width = std::max(cut.notch_width, (2.0 + bond_gap) * r_max);
+  const double width = std::max({cut.notch_width, (2.0 + touch_tolerance) * r_max, 2.0 * r_max + bond_gap});
   std::erase_if(half.discs, [&](const Disc& d) {
     return d.y + d.r < middle.y + cut.notch_length && std::fabs(d.x - middle.x) < 0.5 * width;
   });

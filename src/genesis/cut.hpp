@@ -17,9 +17,9 @@ Packing cut_disc(const Packing& packing, double diameter);
 /// The upper half of such a disc, flat face down, in a box that holds it: the middle of the flat face is at
 /// (width / 2, largest radius). A notch is sawn: the grains whose centres lie within half its width of the
 /// axis, and that lie below its end as a whole, are taken out; on average the first grain left on the axis
-/// then has its centre at the end. It is at least (2 + bond_gap) largest radii wide, so that no two grains
+/// then has its centre at the end. It is wider than a largest grain by `bond_gap` [m], so that no two grains
 /// touch or are bonded across it; a cut of the bonds alone would leave flanks that press and rub on each
-/// other. 0 < diameter <= width and twice the height; `bond_gap` is that of the matrix.
+/// other. 0 < diameter <= width and twice the height; `bond_gap` is the matrix's.
 Packing cut_half_disc(const Packing& packing, const SpecimenCut& cut, double bond_gap);
 
 /// The packing in the shape that the recipe's test needs: as it is, or what is cut from it.

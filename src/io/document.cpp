@@ -5,8 +5,7 @@
 #include <set>
 
 #include "base/quote.hpp"
-#include "base/spelling.hpp"
-#include "records/recipe_schema.hpp"
+#include "io/file_kinds.hpp"
 
 namespace phy::io {
 namespace {
@@ -17,18 +16,6 @@ using Kind = TomlValue::Kind;
 bool is_open(const Schema& schema, const std::string& table) {
   return std::any_of(schema.fields.begin(), schema.fields.end(),
                      [&](const Field& f) { return f.table == table && f.key.starts_with('"'); });
-}
-
-bool is_of_recipe(const std::string& word) {
-  return std::any_of(recipe_fields().begin(), recipe_fields().end(),
-                     [&](const Field& f) { return f.key == word || f.table == word; });
-}
-
-/// The value that a key of the recipe has by default.
-double usual_of(const Field& field) {
-  Recipe recipe;
-  recipe.bedding.resize(1);
-  return field.get ? field.get(recipe, 0) : 0.0;
 }
 
 std::string list_remedy(const Field& f) {
@@ -44,68 +31,11 @@ std::string path_in(const std::string& table, std::size_t i, bool is_one_of_many
   return table + (is_one_of_many ? "[" + std::to_string(i) + "]." : ".") + key;
 }
 
-bool take_choice(const Field& f, const TomlValue& v, double& number, std::string& remedy) {
-  // A value that is not text fails too: no choice is empty.
-  const std::string word = v.kind == Kind::text ? v.text : "";
-  const auto it = std::find(f.choices.begin(), f.choices.end(), word);
-  number = static_cast<double>(it - f.choices.begin());
-  if (it != f.choices.end()) return true;
-  const std::string near = nearest(word, f.choices);
-  if (!near.empty()) remedy = "did you mean \"" + near + "\"?";
-  return false;
-}
-
 }  // namespace
 
 std::string Schema::in_brackets(const std::string& table) const {
   if (table.empty()) return "the top of the file";
   return lists.contains(table) ? "[[" + table + "]]" : "[" + table + "]";
-}
-
-/// The order decides which hint is given where several fit: a recipe key at the top level, a known key of
-/// another table, a name of PFC, and last a similar spelling.
-std::string unknown_key_hint(const Schema& schema, const std::string& word, const std::string& table) {
-  if (!schema.of_recipe.empty() && table.empty() && is_of_recipe(word)) return schema.of_recipe;
-  std::vector<std::string> known;
-  for (const Field& f : schema.fields) {
-    if (f.table == table) known.push_back(f.key);
-    // At the top level the names of tables are what could have been meant.
-    if (table.empty() && !f.table.empty()) known.push_back(f.table);
-  }
-  for (const Field& f : schema.fields)
-    if (f.key == word) return "it belongs to " + schema.in_brackets(f.table);
-  for (const Field& f : schema.fields)
-    if (has_pfc_name(f, word))
-      return "PFC's \"" + word + "\" is given by " + f.path() + " (" + f.pfc_name + ")";
-  const std::string near = nearest(word, known);
-  return near.empty() ? "`phyllite " + schema.verb + " --reference` lists all keys"
-                      : "did you mean \"" + near + "\"?";
-}
-
-bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy) {
-  const bool text = value.kind == Kind::text, whole = value.kind == Kind::integer;
-  const bool numeric = whole || value.kind == Kind::number;
-  // A value of the wrong kind is reported by the caller, with the range; the remedy stays empty.
-  if (field.kind == FieldKind::boolean) return number = value.number, value.kind == Kind::boolean;
-  if (field.kind == FieldKind::choice) return take_choice(field, value, number, remedy);
-  const bool wants_whole = field.kind == FieldKind::integer || field.kind == FieldKind::integers;
-  if (field.dimension != Dimension::none) {
-    // A bare number goes through the same parser: its message says which unit is missing.
-    const Quantity q = text || numeric ? parse_quantity(text ? value.text : as_written(value),
-                                                        field.dimension, usual_of(field))
-                                       : Quantity{false, 0.0, "is no quantity"};
-    if (!q.ok) return remedy = q.problem, false;
-    number = q.value;
-  } else if (whole || (numeric && !wants_whole)) {
-    // Dimensionless: TOML's own numbers; text such as "0.5" is refused. A whole number may stand for a real
-    // one.
-    number = value.number == 0.0 ? 0.0 : value.number;  // not -0
-  } else {
-    remedy = wants_whole ? "write a whole number" : "write a bare number";
-    return false;
-  }
-  // Out of range: the caller prints the range, which says all.
-  return within_range(field, number);
 }
 
 std::string without_index(std::string path) {
@@ -159,6 +89,7 @@ void Document::rename_former_keys() {
 }
 
 void Document::check_tables() {
+  refuse_other_kind(root_, where_, schema_.name);
   rename_former_keys();
   check_keys(root_, "", "");
   // Each table of the schema once: several fields share one.
@@ -203,8 +134,9 @@ void Document::check_keys(const TomlValue& table, const std::string& name, const
     const bool table_like = v.kind == Kind::table ||
                             (v.kind == Kind::list && !v.items.empty() && v.items.front().kind == Kind::table);
     // The line of the key, not of its value: a list may end far below.
-    problems.push_back({at_line(where_, table.keys[i].line), prefix + word, "",
-                        table_like ? "a known table" : "a known key", unknown_key_hint(schema_, word, name)});
+    problems.push_back({at_line(where_, table.keys[i].line), prefix + word, "", "",
+                        std::string(table_like ? "unknown table; " : "unknown key; ") +
+                            unknown_key_hint(schema_, word, name, v)});
   }
 }
 

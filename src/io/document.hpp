@@ -24,9 +24,10 @@ struct Schema {
   std::string in_brackets(const std::string& table) const;
 };
 
-/// What to do about an unknown key of a table ("" = top level): where it belongs, PFC's name for what, or the
-/// nearest.
-std::string unknown_key_hint(const Schema& schema, const std::string& word, const std::string& table);
+/// What to do about an unknown key of a table ("" = top level): where it belongs, PFC's name for what (with
+/// the line that `value` comes to), or the nearest.
+std::string unknown_key_hint(const Schema& schema, const std::string& word, const std::string& table,
+                             const TomlValue& value = {});
 
 /// One value of a key, with its unit and within its range. False: `remedy` says what to do (may be empty
 /// where range_text says it all).

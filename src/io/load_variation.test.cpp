@@ -89,7 +89,7 @@ TEST_F(LoadVariation, EveryProblemOfRegressionsIsTold) {
   const std::string told = message_of<InputError>([&] { read_regressions(at(regressions_file)); });
   for (const char* part :
        {"toml:2: line[0].source = 3: expected text", "toml:4: line[0].key", "did you mean \"bedding.k_n\"?",
-        "toml:5: line[0].slop: expected a known key; did you mean \"slope\"?", "toml:6: line[0].intercept",
+        "toml:5: line[0].slop: unknown key; did you mean \"slope\"?", "toml:6: line[0].intercept",
         "toml:7: line[0].R2 = 2: expected 0 <= value <= 1"})
     EXPECT_THAT(told, testing::HasSubstr(part));
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "io/file.hpp"
+#include "io/file_kinds.hpp"
 #include "io/rock_columns.hpp"
 #include "io/rock_table.hpp"
 #include "io/toml_in.hpp"
@@ -248,6 +248,29 @@ class RockReader {
     }
     return true;
   }
+  /// Where the recipe says its size; of a recipe that says none its name.
+  std::string place_of_size() const {
+    const std::string file = file_.beside(file_.text("recipe", ""));
+    if (parts_.recipe) return file_.text("recipe", "");
+    std::vector<Problem> none;
+    const TomlValue root = parse_toml(read_file(file), file, none);
+    const TomlValue* specimen = root.find("specimen");
+    return specimen != nullptr ? at_line(file, specimen->line) : file;
+  }
+  bool refuse_second_size(const SpecimenSize& here) {
+    const SpecimenSize& there = rock_.model.specimen;
+    const std::string key = is_given("specimen.width") ? "specimen.width" : "specimen.height";
+    // A dozen across: as coarse as a specimen bears (ten).
+    const double coarse = rounded(here.width / 12.5, 2);
+    problems_.push_back(
+        {file_.place(key), "specimen", "", "",
+         fmt::format(
+             "the size is {:g} x {:g} mm here, and {:g} x {:g} mm in {}. Delete one. For coarse grains "
+             "alone, write grain_size = \"{}\" and no recipe",
+             here.width * 1e3, here.height * 1e3, there.width * 1e3, there.height * 1e3, place_of_size(),
+             print_quantity(coarse, Dimension::length))});
+    return false;
+  }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
   bool read_size() {
     if (!file_.is_known("specimen.width") || !file_.is_known("specimen.height")) return false;
@@ -256,11 +279,7 @@ class RockReader {
     const double height = file_.number("specimen.height", size.height);
     // Nothing to magnify.
     if (width == size.width && height == size.height) return true;
-    if (is_given("recipe")) {
-      problems_.push_back(
-          {path_, "specimen", "", "the size of the recipe", "leave [specimen] out: the recipe says it"});
-      return false;
-    }
+    if (is_given("recipe")) return refuse_second_size({width, height});
     // Lengths of grains and bedding scale with the width. Number of grains: area over grain area, n W H/r^2,
     // in which the width cancels against one factor of scale.
     const double scale = width / size.width;
@@ -341,7 +360,7 @@ class RockReader {
     return {file_.place("grain_size"), "grain_size",
             print_quantity(file_.number("grain_size", 0.0), Dimension::length),
             fmt::format("grains that suit the specimen and its planes ({} = {}: {})", told.key, told.value,
-                        told.expected),
+                        told.expected.empty() ? told.remedy : told.expected),
             too_many ? "state larger grains, or leave it out" : "state smaller grains, or leave it out"};
   }
   bool about_grains(const std::string& key) const {
@@ -539,14 +558,7 @@ const Schema& rock_schema() {
 }
 
 Rock read_rock(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  static const std::set<std::string> of_tables = {".csv", ".tsv", ".txt", ".ags", ".xlsx", ".xls"};
-  if (of_tables.contains(ending))
-    throw InputError(Problem{path, "", "a table", "a rock file (TOML) that names it",
-                             fmt::format("`phyllite rock new NAME --data {}` writes one", sh_word(path))});
-  return parse_rock(read_file(path, largest_document), path, {});
+  return parse_rock(read_user_file(path, rock_schema().name), path, {});
 }
 
 Rock parse_rock(std::string_view text, const std::string& path, const RockParts& parts) {

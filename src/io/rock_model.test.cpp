@@ -55,6 +55,25 @@ TEST_F(RockFile, AnotherSizeMagnifiesTheModel) {
   EXPECT_EQ(r.model.packing.n_grains, paper.packing.n_grains);
 }
 
+TEST_F(RockFile, TwoSizesAreToldWithBothLines) {
+  write("m.toml",
+        "name = \"m\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n");
+  const std::string here = "recipe = \"m.toml\"\n[specimen]\nwidth = \"38 mm\"\nheight = \"76 mm\"\n";
+  EXPECT_THAT(
+      problems(good, here),
+      testing::ElementsAre(
+          AllOf(HasSubstr("r.toml:4: specimen: the size is 38 x 76 mm here, and 8 x 16 mm in "),
+                HasSubstr("m.toml:2. Delete one."), HasSubstr("write grain_size = \"3 mm\" and no recipe"))));
+  write("m.toml", "[packing]\nseed = 2\n");  // the reference specimen, unsaid
+  EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n[specimen]\nheight = \"60 mm\"\n"),
+              testing::ElementsAre(
+                  AllOf(HasSubstr("r.toml:4: specimen: the size is 38 x 60 mm here, and 38 x 76 mm in "),
+                        HasSubstr("m.toml. Delete one."))));
+  // What is advised is taken.
+  EXPECT_THAT(problems(good, "grain_size = \"3 mm\"\n[specimen]\nwidth = \"38 mm\"\nheight = \"76 mm\"\n"),
+              IsEmpty());
+}
+
 TEST_F(RockFile, WhatARunWouldRefuseIsRefusedHere) {
   EXPECT_THAT(problems(good, "[brazilian]\nloading_angle = \"45 deg\"\n"),
               testing::ElementsAre(

@@ -22,12 +22,14 @@ elastic_reading = "plane stress"
 
 # confining = "10 MPa"          # E and nu under this pressure alone; default: under all of the table
 # bedded = false                # a rock without bedding needs no column of angles
-# recipe = "model.toml"         # grain size, bedding rule, press (`phyllite recipe --template`); without
-#                               # it: the paper's specimen, magnified to the size below
+# recipe = "model.toml"         # grain size, bedding rule, press, and the size: take out [specimen] then
+#                               # (`phyllite recipe --template`). Without it: the paper's specimen,
+#                               # magnified to the size below
 # layers = "choose"             # or "planes" (smooth joints), "directions" (of the bonds),
 #                               # "planes and directions", "planes with bridges" (joints on a share of them)
 # matrix = "choose"             # or "parallel_bond", "flat_joint" (UCS many times the tensile strength)
-# grain_size = "1.2 mm"         # mean diameter of the model's grains; without it K_Ic is not fitted
+# grain_size = "3 mm"           # mean diameter of the model's grains: coarse ones are quick, fine ones
+#                               # nearer to the rock; without it K_Ic is not fitted
 # sheet = "Results"             # of a workbook; default: the first
 
 [bedding]

@@ -10,6 +10,7 @@
 #include "io/csv.hpp"
 #include "io/document.hpp"
 #include "io/file.hpp"
+#include "io/file_kinds.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/test_description.hpp"
 
@@ -32,13 +33,14 @@ void take_out_sweep(TomlValue& root, const std::string& where, std::vector<Probl
   root.items.erase(item), root.keys.erase(key);
 }
 
-/// Studies and rocks name a recipe, no recipe does.
-void refuse_other_documents(const TomlValue& root, const std::string& where) {
+/// Studies and rocks name a recipe, no recipe does. With no other key of theirs it may be either.
+void refuse_named_recipe(const TomlValue& root, const std::string& where) {
+  refuse_other_kind(root, where, recipe_schema().name);
   const TomlValue* recipe = root.find("recipe");
   if (recipe != nullptr)
     throw InputError(
-        Problem{at_line(where, recipe->line), "recipe", as_written(*recipe), "a recipe",
-                "a file that names one is a study or a rock: `phyllite study`, `phyllite rock check`"});
+        Problem{at_line(where, recipe->line), "recipe", as_written(*recipe), "",
+                "a recipe names no other. A study and a rock do: `phyllite study`, `phyllite rock check`"});
 }
 
 void assign(const Field& f, const Document& file, const std::string& path, Recipe& recipe, std::size_t set) {
@@ -129,6 +131,10 @@ std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& wher
                         "the file has " + std::to_string(file.discs.size()) + " discs: leave it out"});
   double largest = 0.0;
   for (const Disc& d : file.discs) largest = std::max(largest, 2.0 * d.r);
+  if (recipe.matrix.bond_gap > largest)
+    problems.push_back({where, "matrix.bond_gap", length(recipe.matrix.bond_gap),
+                        "at most the largest grain diameter, " + length(largest),
+                        "wider bonds would reach past a neighbour"});
   for (std::size_t i = 0; i < recipe.bedding.size(); ++i)
     if (recipe.bedding[i].has_planes() && recipe.bedding[i].spacing < largest)
       problems.push_back({where, "bedding[" + std::to_string(i) + "].spacing",
@@ -149,7 +155,7 @@ namespace {
 
 /// `problems`: what is known to be wrong with it.
 Recipe recipe_of_tree(TomlValue root, const std::string& where, std::vector<Problem> problems) {
-  refuse_other_documents(root, where);
+  refuse_named_recipe(root, where);
   take_out_sweep(root, where, problems);
   const bool empty = root.keys.empty();
   Document file(std::move(root), where, recipe_schema(), std::move(problems));
@@ -203,7 +209,7 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
 }
 
 Recipe read_recipe(const std::string& path) {
-  return with_discs(parse_recipe(read_file(path, largest_document), path), path);
+  return with_discs(parse_recipe(read_user_file(path, recipe_schema().name), path), path);
 }
 
 Recipe recipe_of(TomlValue keys, const std::string& where) {

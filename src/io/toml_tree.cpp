@@ -198,6 +198,8 @@ std::string syntax_remedy(std::string_view line, std::string_view problem) {
   const char c = line[at];
   if (c == '"' || c == '\'')
     return std::count(line.begin(), line.end(), c) % 2 == 1 ? "close the quotes" : "";
+  if (const std::optional<double> quotient = fraction(line.substr(at, line.find('#', at) - at)))
+    return "write it as a number: " + print_number(rounded(*quotient, 6));
   if (c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9'))
     return "put a quantity in quotes: \"38 mm\"";
   return c == '[' || c == '{' ? "" : "put text in quotes; a switch is true or false";
@@ -249,6 +251,15 @@ std::string at_line(const std::string& where, std::size_t line) {
 
 TomlValue parse_toml(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
   return tree_of(parse_checked(text, where, problems));
+}
+
+std::optional<double> fraction(std::string_view text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  if (slash == text.size()) return {};
+  const Quantity over = parse_quantity(text.substr(0, slash), Dimension::none),
+                 under = parse_quantity(text.substr(slash + 1), Dimension::none);
+  if (!over.ok || !under.ok || under.value == 0.0) return {};
+  return over.value / under.value;
 }
 
 const TomlValue* TomlValue::find(std::string_view key) const {

@@ -1,6 +1,7 @@
 // A parsed TOML file as plain values with line numbers. Its source is the only place that sees toml++. Values
 // that stand in no file (keys given to a function) are such a tree, too, with line 0.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,8 @@ TomlValue parse_toml(std::string_view text, const std::string& where, std::vecto
 
 /// The value as it stands in the file, for messages.
 std::string as_written(const TomlValue& value);
+/// What "1/1.5" comes to; nothing for any other text.
+std::optional<double> fraction(std::string_view text);
 /// "recipe.toml:12"; of line 0 `where` alone.
 std::string at_line(const std::string& where, std::size_t line);
 

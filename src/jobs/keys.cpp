@@ -4,6 +4,7 @@
 
 #include "base/option.hpp"
 #include "base/spelling.hpp"
+#include "records/foreign_words.hpp"
 
 namespace phy::jobs {
 namespace {
@@ -27,7 +28,7 @@ std::string explain(const std::vector<const io::Schema*>& schemas, const std::st
     std::string text;
     for (const io::Schema* schema : schemas)
       for (const Field& f : schema->fields)
-        if (in_pfc ? has_pfc_name(f, word)
+        if (in_pfc ? has_pfc_name(f, word) || foreign_word(schema->fields, word, f.table).field == &f
                    : f.path() == word || f.key == word ||
                          (!f.former.empty() && (f.former == word || f.path_of(f.former) == word)))
           text += explanation(f);
@@ -40,6 +41,8 @@ std::string explain(const std::vector<const io::Schema*>& schemas, const std::st
     }
   const io::Schema& first = *schemas.front();
   const std::string near = longer.empty() ? nearest(word, known) : longer.front();
+  if (const std::string instead = foreign_word(first.fields, word, "").instead; !instead.empty())
+    throw InputError(option_problem("explain", key, "", instead));
   throw InputError(option_problem("explain", key, "a key of the " + first.name,
                                   near.empty() ? "`phyllite " + first.verb + " --reference` lists all keys"
                                                : "did you mean \"" + near + "\"?"));

@@ -101,8 +101,10 @@ std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
     return std::filesystem::exists(std::filesystem::path(folder) / file);
   };
   const auto problem = [&](const char* what) {
-    return option_problem("out", folder, fmt::format("a folder without {}", what),
-                          "its report.html can be that of one thing: use another " + option("out"));
+    const char* own_name = own == PageOf::run ? "a run" : own == PageOf::study ? "a study" : "a calibration";
+    return option_problem("out", folder, "",
+                          fmt::format("it holds {}, and {} would overwrite its report.html. Choose another {}",
+                                      what, own_name, option("out")));
   };
   if (own != PageOf::calibration && (has("calibration.json") || has("calibration-of.txt")))
     return problem("a calibration");

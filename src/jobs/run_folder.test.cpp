@@ -27,15 +27,17 @@ class FolderOfARun : public InFolder {
 TEST_F(FolderOfARun, HasOnePage) {
   EXPECT_THAT(problems(), IsEmpty()) << "there is none yet";
   io::write_file(at("folder/calibration.json"), "{}");
-  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a calibration")));
-  EXPECT_THAT(problems(true), ElementsAre(HasSubstr("use another --out"))) << "--replace is about results";
+  EXPECT_THAT(
+      problems(),
+      ElementsAre(HasSubstr("it holds a calibration, and a run would overwrite its report.html. Choose")));
+  EXPECT_THAT(problems(true), ElementsAre(HasSubstr("Choose another --out"))) << "--replace is about results";
   EXPECT_FALSE(problem_of_page(at("folder"), PageOf::calibration));
   EXPECT_TRUE(problem_of_page(at("folder"), PageOf::study));
 }
 
 TEST_F(FolderOfARun, IsNotThatOfACalibrationThatWasStopped) {
   io::write_file(at("folder/calibration-of.txt"), "");
-  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a calibration")));
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("it holds a calibration")));
 }
 
 TEST_F(FolderOfARun, TellsHowLongItIsWorkedIn) {
@@ -50,7 +52,7 @@ TEST_F(FolderOfARun, TellsHowLongItIsWorkedIn) {
 
 TEST_F(FolderOfARun, IsNotThatOfAStudy) {
   io::write_file(at("folder/study.toml"), "");
-  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a study")));
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("it holds a study")));
   EXPECT_FALSE(problem_of_page(at("folder"), PageOf::study));
   io::write_file(at("one/specimen/result.json"), "{}");
   EXPECT_TRUE(problem_of_page(at("one"), PageOf::study));

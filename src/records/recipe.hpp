@@ -47,6 +47,10 @@ struct PackingRecipe {
   }
 };
 
+/// Discs touch where their gap is below this fraction of their mean radius: what relaxing a packing leaves
+/// open by rounding (Potyondy & Cundall's tolerance).
+constexpr double touch_tolerance = 1e-6;
+
 /// Matrix: linear contacts and parallel bonds (paper Table 1), or flat joints of the modulus E_c.
 struct MatrixRecipe {
   MatrixModel model = MatrixModel::parallel_bond;
@@ -65,7 +69,7 @@ struct MatrixRecipe {
   double tau_c = 65e6;             ///< bond shear strength (cohesion), mean [Pa]
   double tau_c_sd = 6.5e6;         ///< its standard deviation [Pa]
   double phi = 0.0;                ///< bond friction angle [deg], only with cohesion_friction
-  double bond_gap = 1e-6;          ///< bonds at gaps up to this fraction of the pair's mean radius
+  double bond_gap = 0.0;           ///< bonds at gaps up to this [m], and always where discs touch
   double unbonded_fraction = 0.0;  ///< of these contacts: no bond; linear contact only, or a slit
   std::int64_t bond_seed = 1;
   bool unbreakable = false;  ///< bonds and joints never break and nothing slips (elastic comparison runs)
@@ -88,6 +92,8 @@ struct MatrixRecipe {
   bool directional() const {
     return stiffness_ratio != 1.0 || tension_ratio != 1.0 || cohesion_ratio != 1.0 || cohesion_oblique != 1.0;
   }
+  /// The widest gap at which two discs of this mean radius are bonded [m].
+  double bond_reach(double mean_radius) const { return std::max(bond_gap, touch_tolerance * mean_radius); }
   /// Of all that a bonded contact has [Pa]; rock is nearly as stiff.
   double modulus() const {
     return model == MatrixModel::flat_joint ? radius_multiplier * E_c : E_c + radius_multiplier * E_b;

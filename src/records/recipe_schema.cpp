@@ -9,6 +9,10 @@
 namespace phy {
 namespace {
 
+// Laws have no length of their own but the grain's: specimens are as large as anybody tests, or models.
+constexpr double longest = 1000.0;       // [m]
+constexpr double largest_grain = 100.0;  // [m]
+
 /// Access to a member of one of the recipe's tables.
 template <class Part, class T>
 void bind(Field& f, Part Recipe::*part, T Part::*member) {
@@ -77,19 +81,19 @@ class List {
 };
 
 void add_specimen(List& l) {
-  l.quantity("specimen", "width", Dimension::length, 1e-4, 10, "", "width of the specimen", &Recipe::specimen,
-             &SpecimenSize::width);
-  l.quantity("specimen", "height", Dimension::length, 1e-4, 10, "", "height of the specimen, along the load",
-             &Recipe::specimen, &SpecimenSize::height);
+  l.quantity("specimen", "width", Dimension::length, 1e-4, longest, "", "width of the specimen",
+             &Recipe::specimen, &SpecimenSize::width);
+  l.quantity("specimen", "height", Dimension::length, 1e-4, longest, "",
+             "height of the specimen, along the load", &Recipe::specimen, &SpecimenSize::height);
 }
 
 void add_packing(List& l) {
   using P = PackingRecipe;
   constexpr auto part = &Recipe::packing;
-  l.quantity("packing", "radius_min", Dimension::length, 1e-6, 1, "ball radius", "smallest grain radius",
-             part, &P::radius_min);
-  l.quantity("packing", "radius_max", Dimension::length, 1e-6, 1, "ball radius", "largest grain radius", part,
-             &P::radius_max);
+  l.quantity("packing", "radius_min", Dimension::length, 1e-6, largest_grain, "ball radius",
+             "smallest grain radius", part, &P::radius_min);
+  l.quantity("packing", "radius_max", Dimension::length, 1e-6, largest_grain, "ball radius",
+             "largest grain radius", part, &P::radius_max);
   l.choice("packing", "distribution", {"number", "area"},
            "radii uniform by number of grains, or by area fraction", part, &P::distribution);
   l.integer("packing", "n_grains", 0, static_cast<double>(max_recipe_grains),
@@ -127,8 +131,8 @@ void add_matrix(List& l) {
            &M::stiffness_convention);
   l.quantity("matrix", "E_c", stress, 1e3, 1e13, "emod, E_c, fj_emod",
              "contact modulus of the grains; of flat joints", part, &M::E_c);
-  l.number("matrix", "ks_over_kn", 1e-3, 10, "1/kratio", "shear over normal stiffness of contacts", part,
-           &M::ks_over_kn);
+  l.number("matrix", "ks_over_kn", 1e-3, 10, "1/kratio, 1/fj_kratio",
+           "shear over normal stiffness of contacts", part, &M::ks_over_kn);
   l.number("matrix", "mu", 0, 10, "fric, fj_fric", "friction coefficient of contacts", part, &M::mu);
   l.quantity("matrix", "E_b", stress, 1e3, 1e13, "pb_emod", "modulus of the parallel bonds", part, &M::E_b);
   l.number("matrix", "bond_ks_over_kn", 1e-3, 10, "1/pb_kratio", "shear over normal stiffness of bonds", part,
@@ -148,8 +152,9 @@ void add_matrix(List& l) {
   l.quantity("matrix", "tau_c_sd", stress, 0, 1e13, "", "standard deviation of tau_c", part, &M::tau_c_sd);
   l.quantity("matrix", "phi", Dimension::angle, 0, 80, "pb_fa, fj_fa",
              "friction angle of bonds, with cohesion_friction", part, &M::phi);
-  l.number("matrix", "bond_gap", 0, 0.5, "install gap",
-           "bonds at gaps up to this fraction of the pair's mean radius", part, &M::bond_gap);
+  l.quantity("matrix", "bond_gap", Dimension::length, 0, largest_grain, "gap",
+             "bonds at gaps up to this length; 0: where discs touch (gaps below 1e-6 of their mean radius)",
+             part, &M::bond_gap);
   l.number("matrix", "unbonded_fraction", 0, 0.9, "",
            "share of these contacts that get no bond (linear contact only; of flat joints: a slit)", part,
            &M::unbonded_fraction)
@@ -195,7 +200,7 @@ void add_flat_joint(List& l) {
            "flat_joint: share of contacts that get no bond and start initial_gap apart", part,
            &M::gapped_fraction)
       .quiet = true;
-  l.quantity("matrix", "initial_gap", Dimension::length, 0, 1, "fj_gap0",
+  l.quantity("matrix", "initial_gap", Dimension::length, 0, largest_grain, "fj_gap0",
              "flat_joint: gap of these interfaces at the start", part, &M::initial_gap)
       .quiet = true;
 }
@@ -209,15 +214,15 @@ void add_planes(List& l) {
   l.quantity("bedding", "theta_sd", Dimension::angle, 0, 10, "",
              "standard deviation of theta from plane to plane; not with oriented", &B::theta_sd)
       .quiet = true;
-  l.quantity("bedding", "spacing", Dimension::length, 1e-6, 10, "",
+  l.quantity("bedding", "spacing", Dimension::length, 1e-6, longest, "",
              "distance of the planes of the set, mean; not with oriented", &B::spacing);
   l.number("bedding", "spacing_sd", 0, 0.3, "",
            "standard deviation of the spacing, over the spacing; not with oriented", &B::spacing_sd)
       .quiet = true;
-  l.quantity("bedding", "zone_thickness", Dimension::length, 0, 1, "",
+  l.quantity("bedding", "zone_thickness", Dimension::length, 0, longest, "",
              "thickness d of the zone, used by the zone rule", &B::zone_thickness)
       .above_min = true;
-  l.quantity("bedding", "offset", Dimension::length, -10, 10, "",
+  l.quantity("bedding", "offset", Dimension::length, -longest, longest, "",
              "distance of one plane from the specimen's centre; not with oriented", &B::offset);
 }
 
@@ -246,12 +251,12 @@ void add_rule(List& l) {
                &B::persistence);
   share.quiet = true;
   l.quantity(
-       "bedding", "patch_length", Dimension::length, 0, 10, "",
+       "bedding", "patch_length", Dimension::length, 0, longest, "",
        "with persistence below 1: length of the patches that are jointed or bonded; 0: contact by contact; "
        "not with oriented",
        &B::patch_length)
       .quiet = true;
-  l.quantity("bedding", "layer_thickness", Dimension::length, 0, 10, "",
+  l.quantity("bedding", "layer_thickness", Dimension::length, 0, longest, "",
              "thickness of a layer about each plane whose matrix differs; 0: none; not with oriented",
              &B::layer_thickness)
       .quiet = true;
@@ -292,7 +297,7 @@ void add_bend(List& l) {
   l.number("test", "notch_ratio", 0.4, 0.6, "", "semi_circular_bend: length of the notch over the radius",
            part, &T::notch_ratio)
       .only_of = bend;
-  l.quantity("test", "notch_width", Dimension::length, 0, 1, "",
+  l.quantity("test", "notch_width", Dimension::length, 0, largest_grain, "",
              "semi_circular_bend: width of the notch; 0: the largest grain diameter", part, &T::notch_width)
       .only_of = bend;
   l.number("test", "span_ratio", 0.5, 0.8, "",
@@ -346,10 +351,10 @@ void add_test(List& l) {
   l.number("test", "pre_strain", 0, 0.05, "", "axial strain of the affine pre-strain; 0: none", part,
            &T::pre_strain)
       .former = "jump_strain";
-  l.quantity("test", "grip_thickness", Dimension::length, 0, 0.1, "",
+  l.quantity("test", "grip_thickness", Dimension::length, 0, longest, "",
              "direct_tension: rock held at each end; 0: four times the largest radius", part,
              &T::grip_thickness);
-  l.quantity("test", "disc_diameter", Dimension::length, 0, 10, "",
+  l.quantity("test", "disc_diameter", Dimension::length, 0, longest, "",
              "brazilian: disc cut from the specimen; semi_circular_bend: half disc; 0: the largest it holds",
              part, &T::disc_diameter);
   l.quantity("test", "loading_angle", Dimension::angle, 0, 30, "",
@@ -370,7 +375,7 @@ void add_test(List& l) {
   l.quantity("test", "normal_stiffness", Dimension::stiffness, 0, 1e15, "",
              "direct_shear: growth of the normal stress with dilation; 0: constant normal load", part,
              &T::normal_stiffness);
-  l.quantity("test", "shear_gap", Dimension::length, 0, 1, "",
+  l.quantity("test", "shear_gap", Dimension::length, 0, longest, "",
              "direct_shear: free rock between the two boxes; 0: rigid halves", part, &T::shear_gap);
   add_bend(l);
 }

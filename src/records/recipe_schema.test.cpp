@@ -81,7 +81,7 @@ std::string range_of(const std::string& path) {
 }
 
 TEST(Schema, RangesAreToldInTheUnitsOfTheUser) {
-  EXPECT_EQ(range_of("specimen.width"), "0.1 mm <= value <= 10 m");
+  EXPECT_EQ(range_of("specimen.width"), "0.1 mm <= value <= 1000 m");
   EXPECT_EQ(range_of("bedding.theta"), "0 deg <= value < 180 deg");
   EXPECT_EQ(range_of("bedding.rule"), "one of \"crossing\" \"zone\" \"oriented\"");
   EXPECT_EQ(range_of("packing.n_grains"), "0 <= value <= 1000000");

@@ -371,14 +371,16 @@ const std::vector<FigureKind>& figure_kinds() {
 
 const FigureKind& figure_kind(const std::string& word) {
   std::vector<std::string> names;
+  std::string list;
   for (const FigureKind& k : figure_kinds()) {
     if (word == k.name || (*k.paper != 0 && word == k.paper)) return k;
     names.emplace_back(k.name);
-    if (*k.paper != 0) names.emplace_back(k.paper);
+    list += (list.empty() ? "" : ", ") + names.back();
   }
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  const std::string near = nearest(word, names);
+  // Who names what a table of the laboratory holds means its course.
+  constexpr std::string_view of_table[] = {"UCS", "ucs", "BTS", "bts", "DTS", "dts", "E", "nu", "theta"};
+  const bool is_of_table = std::find(std::begin(of_table), std::end(of_table), word) != std::end(of_table);
+  const std::string near = is_of_table ? "anisotropy" : nearest(word, names);
   throw InputError(Problem{"command line", "--kind", word, "one of " + list,
                            near.empty() ? "" : "did you mean " + near + "?"});
 }

@@ -110,9 +110,9 @@ std::string pfc_matrix(const Recipe& r) {
            : std::string(
                  "; --- matrix: linear contacts and parallel bonds\n"
                  "contact model linearpbond range contact type 'ball-ball'\n");
-  text += fmt::format(
-      "contact method bond gap {:.8g} range contact type 'ball-ball'   ; {:g} of the mean radius\n",
-      m.bond_gap * 0.5 * (r.packing.radius_min + r.packing.radius_max), m.bond_gap);
+  text += fmt::format("contact method bond gap {:.8g} range contact type 'ball-ball'{}\n",
+                      m.bond_reach(0.5 * (r.packing.radius_min + r.packing.radius_max)),
+                      m.bond_gap > 0.0 ? "" : "   ; discs that touch");
   text += flat ? pfc_flat_joints(m) : pfc_matrix_properties(m);
   return text + fmt::format(
                     "[sigma_c = {:.8g}]\n[sigma_c_sd = {:.8g}]\n[tau_c = {:.8g}]\n[tau_c_sd = {:.8g}]\n"

@@ -23,6 +23,14 @@ TEST(PfcCommands, TranslateRatiosStiffnessesAndTheAngle) {
   EXPECT_THAT(text, HasSubstr("zone rule"));
 }
 
+TEST(PfcCommands, TheGapOfBondsIsPfcs) {
+  Recipe r = paper();
+  EXPECT_THAT(pfc_commands(r),
+              HasSubstr("contact method bond gap 3.325e-10"));  // touching: 1e-6 of 0.3325 mm
+  r.matrix.bond_gap = 3.5e-5;
+  EXPECT_THAT(pfc_commands(r), HasSubstr("contact method bond gap 3.5e-05 range"));
+}
+
 TEST(PfcCommands, FollowTheConventionAndTheRuleOfTheRecipe) {
   Recipe r = paper();
   r.matrix.stiffness_convention = StiffnessConvention::pfc5;

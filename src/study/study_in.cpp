@@ -7,6 +7,7 @@
 
 #include "base/quote.hpp"
 #include "io/file.hpp"
+#include "io/file_kinds.hpp"
 #include "io/regressions.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
@@ -119,7 +120,7 @@ class Reader {
  public:
   explicit Reader(const std::string& path)
       : path_(path),
-        file_(io::read_file(path, largest_document), path, study_schema()),
+        file_(io::read_user_file(path, study_schema().name), path, study_schema()),
         problems_(file_.problems) {}
   Reader(io::TomlValue keys, const std::string& where, const std::optional<Recipe>& base)
       : path_(where),

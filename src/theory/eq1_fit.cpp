@@ -18,7 +18,7 @@ constexpr double same_angle = 1e-6;  // [deg] readings closer than this are repe
 
 std::string text(double x) {
   char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", x);
+  std::snprintf(buffer, sizeof buffer, "%.4g", x);
   return buffer;
 }
 
@@ -222,18 +222,15 @@ Eq1Fit conclude(Eq1Fit fit, const Solution& s, const Setup& p, const std::vector
                    "compliance loss or look for an outlier");
   const double nothing = 1e-9 * s.x[0];  // a joint that adds less than this is no joint
   if (s.x[1] <= nothing)
-    return refused(fit, Eq1Status::K_n_not_positive,
-                   "1/(K_n delta) = " + text(fit.a) +
-                       " 1/Pa: across its planes the rock is no softer than the "
-                       "reference E = " +
-                       text(1.0 / fit.e) +
-                       " Pa; check E and the angle convention (0 = planes across "
-                       "the load)");
+    return refused(
+        fit, Eq1Status::K_n_not_positive,
+        "across its planes the rock is no softer than the reference E = " + text(1e-9 / fit.e) +
+            " GPa, so no K_n follows; check E and the angle convention (0 = planes across the load)");
   if (s.x[2] <= nothing)
-    return refused(fit, Eq1Status::K_s_not_positive,
-                   "1/(K_s delta) = " + text(fit.b) +
-                       " 1/Pa: at oblique angles the rock is stiffer than any jointed "
-                       "rock with this K_n and E; check the moduli between 20 and 70 degrees");
+    return refused(
+        fit, Eq1Status::K_s_not_positive,
+        "at oblique angles the rock is stiffer than any jointed rock with this K_n and E, so no K_s "
+        "follows; check the moduli between 20 and 70 degrees");
   fit.rock = {1.0 / fit.e, 1.0 / fit.a, 1.0 / fit.b, 0.0};
   fit.shape = goodman_shape(fit.rock);
   fill_errors(fit, s, p);

@@ -21,7 +21,7 @@ Recipe granite(std::int64_t seed) {
   r.packing.n_grains = 0, r.packing.porosity = 0.16, r.packing.seed = seed;
   r.packing.initial_stress = InitialStress::isotropic, r.packing.isotropic_stress = 0.1e6;
   MatrixRecipe& m = r.matrix;
-  m.density = 2630.0, m.mu = 0.5, m.bond_gap = 1e-3;
+  m.density = 2630.0, m.mu = 0.5, m.bond_gap = 0.36e-6;
   m.E_c = m.E_b = 62e9, m.ks_over_kn = m.bond_ks_over_kn = 0.4;
   m.sigma_c = m.tau_c = 157e6, m.sigma_c_sd = m.tau_c_sd = 36e6;
   r.test.platen_speed = 0.1, r.test.pre_strain = 5e-4, r.test.stop_at = 0.8;

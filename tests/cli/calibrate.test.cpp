@@ -136,7 +136,7 @@ TEST_F(CalibrateCli, EnsembleRunsTheTestOfTheRecipeOnEveryDrawAndTellsTheBand) {
   EXPECT_THAT(output, testing::AllOf(HasSubstr("without a gap"), HasSubstr("ensemble/03.toml")));
   for (int k = 4; k <= 6; ++k) fs::remove(at("rock") + "/ensemble/0" + std::to_string(k) + ".toml");
   EXPECT_EQ(run("run " + recipe + " --ensemble --out " + at("rock")), 2);
-  EXPECT_THAT(output, HasSubstr("a folder without a calibration"));
+  EXPECT_THAT(output, HasSubstr("it holds a calibration"));
   ASSERT_EQ(run(confined + at("envelope") + " --confining \"0 MPa,5 MPa,10 MPa\""), 0) << output;
   EXPECT_THAT(output, testing::AllOf(HasSubstr("sigma_1"), HasSubstr("phi"), HasSubstr("m_i")));
   EXPECT_THAT(read(at("envelope") + "/band.csv"),

@@ -339,7 +339,24 @@ TEST_F(Cli, AnEnvelopeOfAnotherRecipeIsNotMixedIn) {
   EXPECT_EQ(run("envelope " + recipe(330) + rest), 0) << output;
 }
 
+TEST_F(Cli, APackingWithoutContactsIsTold) {
+  const auto specimen = [&](const char* porosity) {
+    return run("specimen " + write("r.toml", std::string("[specimen]\nwidth = \"10 mm\"\nheight = \"20 mm\"\n"
+                                                         "[packing]\nradius_min = \"0.3 mm\"\nradius_max = "
+                                                         "\"0.5 mm\"\nporosity = ") +
+                                                 porosity + "\n"));
+  };
+  ASSERT_EQ(specimen("0.2"), 0) << output;
+  EXPECT_THAT(output, HasSubstr("LOOSE: the discs do not press on each other at this porosity"));
+  ASSERT_EQ(specimen("0.16"), 0) << output;
+  EXPECT_THAT(output, testing::Not(HasSubstr("LOOSE")));
+}
+
 TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {
+  EXPECT_EQ(run("recipe --explain poro"), 0);
+  EXPECT_THAT(output, HasSubstr("packing.porosity"));
+  EXPECT_EQ(run("recipe --explain rgap"), 2);
+  EXPECT_THAT(output, HasSubstr("it has no key"));
   EXPECT_EQ(run("recipe --explain zone_thickness"), 0);
   EXPECT_THAT(output, HasSubstr("0.6 mm"));
   EXPECT_EQ(run("recipe --explain zone_thicknes"), 2);
@@ -381,7 +398,7 @@ TEST_F(Cli, ExamplesAreValid) {
   for (const char* name : {"elastic", "elastic-crossing", "elastic-area", "elastic-area-crossing", "study"})
     EXPECT_EQ(run("study " + paper + name + ".toml --dry-run --out " + out()), 0) << output;
   EXPECT_EQ(run("elastic " + paper + "elastic.toml"), 2);
-  EXPECT_THAT(output, HasSubstr("elastic.toml:5: recipe = \"press.toml\": expected a recipe"));
+  EXPECT_THAT(output, HasSubstr("elastic.toml is a study, not a recipe. To run it: phyllite study "));
 }
 
 TEST_F(Cli, ElasticPrintsModuliFitsAndSensitivities) {

@@ -39,6 +39,20 @@ TEST_F(RockCli, TheNameOfTheFileIsTakenForThatOfTheRock) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2) << output;
 }
 
+TEST_F(RockCli, TheNameOfATableIsTakenForThatOfTheRock) {
+  ASSERT_EQ(run("rock new " + at("gneiss.csv")), 0) << output;
+  EXPECT_TRUE(fs::exists(at("gneiss.toml")) && fs::exists(at("gneiss.csv"))) << output;
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2) << "no gneiss.csv.toml";
+  const std::string table = write("mine.csv", "theta [deg],UCS [MPa]\n0,100\n");
+  for (const std::string& name : {at("mine"), table}) {
+    EXPECT_EQ(run("rock new " + name), 2);
+    EXPECT_THAT(output,
+                HasSubstr("mine.csv: the file is there already. If it is your table: phyllite rock new " +
+                          at("mine") + " --data " + table));
+  }
+  EXPECT_EQ(run("rock new " + at("mine") + " --data " + table), 0) << "what is advised is taken: " << output;
+}
+
 TEST_F(RockCli, ATwinWritesOverNothing) {
   write("mine.csv", "precious\n");
   ASSERT_EQ(run("rock twin " + write("m.toml", "") + " " + at("mine")), 2) << output;

@@ -68,12 +68,51 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"too_few_grains_across", "[specimen]\nwidth = \"5 mm\"\n", "2: specimen.width",
               "ten mean grain diameters"},
         Wrong{"grains_that_do_not_fill", "[packing]\nn_grains = 900\n", "2: packing.n_grains = 900",
-              "fills the specimen"},
+              "900 discs of 0.665 mm fill 11 % of 38 mm x 76 mm. About 7500 fill it; or make them larger"},
         Wrong{"unknown_test", "[test]\nkind = \"uniaxal\"\n", "2: test.kind", "did you mean \"uniaxial\"?"},
         Wrong{"no_toml", "[specimen]\nwidth = 38 mm\n", "2:", "put a quantity in quotes"},
         Wrong{"pre_strain_beyond_the_end", "[test]\njump_strain = 0.02\n", "2: test.pre_strain",
               "below max_strain"}),
     [](const auto& one) { return std::string(one.param.name); });
+
+// Whatever verb is given a file of another kind names the kind and the verb for it, and nothing else.
+TEST_F(Failure, AnotherKindOfFileIsToldWithItsVerb) {
+  const std::string rock = write("slate.toml", "name = \"slate\"\ndata = \"slate.csv\"\n"),
+                    table = write("slate.csv", "theta [deg],UCS [MPa]\n0,100\n"), recipe = small_recipe(),
+                    study = write("study.toml", "recipe = \"x.toml\"\n[[vary]]\nkey = \"bedding.k_n\"\n");
+  for (const char* verb :
+       {"run ", "specimen ", "recipe ", "elastic ", "envelope --confining '0 MPa,5 MPa,10 MPa' "}) {
+    EXPECT_EQ(run(verb + rock), 2) << output;
+    EXPECT_EQ(output,
+              rock + " is a rock file, not a recipe. To calibrate it: phyllite calibrate " + rock + "\n");
+    EXPECT_EQ(run(verb + table), 2) << output;
+    EXPECT_THAT(
+        output,
+        HasSubstr(table + " is a table, not a recipe. To make a rock file of it: phyllite rock new "));
+  }
+  for (const char* verb : {"calibrate ", "rock check "}) {
+    EXPECT_EQ(run(verb + recipe), 2) << output;
+    EXPECT_EQ(output, recipe + " is a recipe, not a rock file. To test it: phyllite run " + recipe + "\n");
+    EXPECT_EQ(run(verb + study), 2) << output;
+    EXPECT_EQ(output, study + " is a study, not a rock file. To run it: phyllite study " + study + "\n");
+  }
+  EXPECT_EQ(run("study " + rock), 2) << output;
+  EXPECT_THAT(output, HasSubstr("is a rock file, not a study. To calibrate it: phyllite calibrate "));
+}
+
+TEST_F(Failure, EmptyNamesOfFilesAndFolders) {
+  const std::string recipe = small_recipe();
+  for (const std::string& words : {"run " + recipe, "specimen " + recipe, "calibrate " + recipe,
+                                   "study " + recipe, "study effects " + out(), "envelope " + recipe,
+                                   "export pfc2d " + recipe, "replay " + out(), std::string("man")}) {
+    EXPECT_EQ(run(words + " --out ''"), 2) << words;
+    EXPECT_THAT(output, HasSubstr("--out: the name of a folder is empty; see `phyllite")) << words;
+  }
+  EXPECT_EQ(run("figure " + out() + " --kind stress_strain --out ''"), 2);
+  EXPECT_THAT(output, HasSubstr("--out: the name of a file is empty"));
+  EXPECT_EQ(run("rock new x --data ''"), 2);
+  EXPECT_THAT(output, HasSubstr("--data: the name of a file is empty"));
+}
 
 TEST_F(Failure, AllProblemsAtOnce) {
   const std::string file = write("many.toml",

@@ -106,7 +106,7 @@ TEST_F(Unstable, HalvesThatDoNotMeetAreTold) {
   const auto recipe = [&](const std::string& test) {
     return write("halves.toml",
                  "[specimen]\nwidth = \"10 mm\"\nheight = \"21.1 mm\"\n[packing]\nfile = \"discs.csv\"\n"
-                 "[matrix]\nbond_gap = 0.001\n[test]\n" +
+                 "[matrix]\nbond_gap = \"0.5 um\"\n[test]\n" +
                      test);
   };
   EXPECT_EQ(run("run " + recipe("") + " --out " + out()), 2) << output;

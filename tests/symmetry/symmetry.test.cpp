@@ -79,6 +79,8 @@ void expect_scaled(int p, int q, int s) {
 }
 
 TEST(Units, LengthScaleHasNoEffect) { expect_scaled(3, 0, 0); }
+// A field specimen of 16 x 33 m.
+TEST(Units, TheSizeOfAQuarryHasNoEffect) { expect_scaled(11, 0, 0); }
 TEST(Units, StressScaleHasNoEffect) { expect_scaled(0, -4, 0); }
 TEST(Units, DensityScaleHasNoEffect) { expect_scaled(0, 0, 6); }
 TEST(Units, AllScalesAtOnceHaveNoEffect) { expect_scaled(-5, 10, 4); }
@@ -109,6 +111,21 @@ void expect_same(Recipe r, const std::pair<Packing, double>& one, const std::pai
   EXPECT_GT(i, 20U);
   EXPECT_LT(stress, 1e-12 * largest_stress);
   EXPECT_LT(strain, 1e-12 * largest_strain);
+}
+
+TEST(Units, ALargePackingIsASmallOneMagnified) {
+  constexpr double L = 2048.0;
+  Recipe r = base_recipe();
+  r.specimen.width *= L, r.specimen.height *= L;
+  r.packing.radius_min *= L, r.packing.radius_max *= L;
+  const Packing large = genesis::make_packing(r.specimen, r.packing, r.matrix);
+  const std::vector<Disc>& small = base_packing().discs;
+  ASSERT_EQ(large.discs.size(), small.size());
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    EXPECT_EQ(large.discs[i].x, L * small[i].x) << i;
+    EXPECT_EQ(large.discs[i].y, L * small[i].y) << i;
+    EXPECT_EQ(large.discs[i].r, L * small[i].r) << i;
+  }
 }
 
 TEST(Mirror, ThetaAnd180MinusTheta) {
