@@ -70,10 +70,11 @@ double nu_of(std::span<const HistoryRow> rows) {
 /// Of the cracks up to the strain `end`, those between two strains.
 double share_of_cracks(const std::vector<CrackEvent>& cracks, double from, double to, double end) {
   const auto up_to = [&](double strain) {
-    return std::count_if(cracks.begin(), cracks.end(), [=](const CrackEvent& c) { return c.strain <= strain; });
+    return std::count_if(cracks.begin(), cracks.end(),
+                         [=](const CrackEvent& c) { return c.strain <= strain; });
   };
-  const auto before = std::count_if(cracks.begin(), cracks.end(),
-                                    [=](const CrackEvent& c) { return c.strain < from; });
+  const auto before =
+      std::count_if(cracks.begin(), cracks.end(), [=](const CrackEvent& c) { return c.strain < from; });
   const auto inside = up_to(to) - before;
   return inside < chance ? 0.0 : static_cast<double>(inside) / static_cast<double>(up_to(end));
 }
@@ -106,10 +107,12 @@ Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom 
 
 std::vector<Number> window_checks(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
                                   StressRange range) {
-  const std::string window = fmt::format("between {} of {}", range_text(range), branch.strength), note = branch_note(branch);
-  Number area{"area_change", nan, "1",
-              "1 - nu: shortening of the area of the middle over its axial strain, in the range of stress " + window,
-              note};
+  const std::string window = fmt::format("between {} of {}", range_text(range), branch.strength),
+                    note = branch_note(branch);
+  Number area{
+      "area_change", nan, "1",
+      "1 - nu: shortening of the area of the middle over its axial strain, in the range of stress " + window,
+      note};
   Number spread{"nu_spread", nan, "1",
                 "half the difference of nu between the two halves of the range of stress " + window, note};
   Number share{"cracks_in_window", nan, "1",

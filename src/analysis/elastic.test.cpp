@@ -66,7 +66,8 @@ TEST(Elastic,
 }
 
 /// The three measures of a range.
-std::vector<Number> window(const History& h, StressRange range, const std::vector<double>& crack_strains = {}) {
+std::vector<Number> window(const History& h, StressRange range,
+                           const std::vector<double>& crack_strains = {}) {
   std::vector<CrackEvent> cracks(crack_strains.size());
   for (std::size_t i = 0; i < cracks.size(); ++i) cracks[i].strain = crack_strains[i];
   return window_checks(loading_branch(h), cracks, range);

@@ -74,28 +74,22 @@ double fewest_joints(const Specimen& s) {
   return *std::min_element(n.begin(), n.end());
 }
 
-bool has_bond(const Specimen& s, const Contact& c) {
-  if (c.kind == ContactKind::bonded) return c.sigma_c > 0.0 || c.tau_c > 0.0;
-  if (c.kind != ContactKind::joint) return false;
-  const BeddingRecipe& set = s.laid(c.set);
-  return set.sigma_n > 0.0 || set.cohesion > 0.0;
-}
-
 }  // namespace
 
 Number broken_at_start(const Specimen& specimen, const std::vector<CrackEvent>& cracks, std::int64_t step) {
   Number share{"broken_at_start", nan, "1",
-               "share of bonds and bonded joints that the stress before loading has broken", ""};
+               "share of the matrix bonds that the confining or normal stress broke before loading began",
+               ""};
   std::set<std::pair<std::uint32_t, std::uint32_t>> bonds;
   for (const Contact& c : specimen.contacts)
-    if (has_bond(specimen, c)) bonds.emplace(c.a, c.b);
+    if (c.kind == ContactKind::bonded && (c.sigma_c > 0.0 || c.tau_c > 0.0)) bonds.emplace(c.a, c.b);
   const auto n_bonds = static_cast<double>(bonds.size());
   for (const CrackEvent& c : cracks)
     if (c.step <= step) bonds.erase({std::min(c.a, c.b), std::max(c.a, c.b)});  // parts of a bond count once
   if (n_bonds > 0.0)
     share.value = 1.0 - static_cast<double>(bonds.size()) / n_bonds;
   else
-    share.note = "the specimen has no bonds";
+    share.note = "the matrix has no bonds";
   return share;
 }
 

@@ -265,9 +265,8 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
                                            seeds.size());
     const Property property = targets[i].property;
-    rows.push_back(
-        over_packings(targets[i], some, test_of(property).number,
-                      [&](const TestResult& r) { return strength_of(r, property); }));
+    rows.push_back(over_packings(targets[i], some, test_of(property).number,
+                                 [&](const TestResult& r) { return strength_of(r, property); }));
     if (moduli == nullptr || !is_compressive(property)) continue;
     const auto without_value = [&](Property p) {
       Target t{p, targets[i].theta, std::nan(""), std::nan("")};

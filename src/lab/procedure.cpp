@@ -266,9 +266,10 @@ bool Procedure::end_without_peak(const Reading& now) {
     return end(Status::not_peaked, "nothing can break, up to " + at,
                "set matrix.unbreakable = false to get a strength");
   if (now.stress < recipe_.test.stop_at * peak_.stress && n_broken < least_cracks)
-    return end_without_cracks(fmt::format("the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds "
-                                          "broke",
-                                          stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken));
+    return end_without_cracks(
+        fmt::format("the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds "
+                    "broke",
+                    stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken));
   const char* const or_stop = now.stress < almost * peak_.stress ? ", or test.stop_at" : "";
   return end(Status::not_peaked,
              fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to {}",

@@ -134,9 +134,9 @@ class Procedure {
   HistoryRow row_;
   double zero_axial_ = 0.0, zero_lateral_ = 0.0;  // where strains count from
   Phase phase_ = Phase::settle;
-  bool approaching_ = false;      // at test.approach_speed
+  bool approaching_ = false;                                            // at test.approach_speed
   std::int64_t loads_from_ = std::numeric_limits<std::int64_t>::max();  // cycle
-  std::int64_t blocks_ = 0;       // in this phase
+  std::int64_t blocks_ = 0;                                             // in this phase
   std::int64_t n_at_target_ = 0;  // blocks of preparation at the full target
   std::int64_t n_steady_ = 0;     // of these, in a row close to it
   Moments<Snapshot> snapshots_;

@@ -20,15 +20,9 @@ const char* to_string(Grade grade) {
   return "";
 }
 
-namespace {
-
-const std::vector<std::string> tangents = {"E_tangent", "nu", "E_tangent_platen", "nu_platen"};
-const std::vector<std::string> residuals = {"tau_residual", "mu_residual"};
-constexpr const char* elastic_instead = "`phyllite elastic` gives E and nu of the rock before it cracks";
-
-}  // namespace
-
 const std::vector<QualityLimit>& quality_limits() {
+  const std::vector<std::string> poisson = {"nu", "nu_platen"};
+  const char* const elastic_instead = "`phyllite elastic` gives E and nu of the rock before it cracks";
   static const std::vector<QualityLimit> limits = {
       {"porosity", true, 0.05, 0.0, "the discs lie on top of each other",
        "put fewer discs into the box (packing.n_grains, packing.porosity or the imported file)"},
@@ -43,8 +37,9 @@ const std::vector<QualityLimit>& quality_limits() {
        "bedding.orientation_range"},
       {"grains_per_spacing", true, 3.0, 1.0, "too few grains between two bedding planes",
        "lower the radii of [packing], or raise bedding.spacing"},
-      {"broken_at_start", false, 0.05, 0.3, "the stress before loading broke this share of the bonds",
-       "lower test.confining_stress or test.normal_stress, or raise the strengths of [matrix] and [[bedding]]"},
+      {"broken_at_start", false, 0.05, 0.3,
+       "the confining or normal stress broke this share of the bonds before the test",
+       "lower this stress, or raise the strengths of [matrix] and [[bedding]]"},
       {"slow_share", true, 0.2, -1.0, "the peak lies within the fast approach, or close behind it",
        "lower test.approach_strain"},
       {"wave_transits", true, 50.0, 10.0, "stress waves have little time to even out",
@@ -60,23 +55,38 @@ const std::vector<QualityLimit>& quality_limits() {
        "lower test.platen_speed, or, of a test that is slow already, test.history_interval"},
       {"platen_difference_95", false, 0.03, 0.1,
        "opposite platens, grips, jaws or rollers carry different forces, inertia takes the difference",
-       "lower test.platen_speed, or raise engine.damping"},
+       "lower test.platen_speed, or raise engine.damping if it is below 0.7"},
       {"kinetic_ratio", false, 0.01, 0.1, "the specimen is in motion, not in equilibrium",
-       "lower test.platen_speed, or raise engine.damping"},
-      {"sigma_n_error_rms", false, 0.1, 0.5, "the normal stress is not held while the box is sheared",
+       "lower test.platen_speed, or raise engine.damping if it is below 0.7"},
+      {"sigma_n_error_rms", false, 0.1, 0.3, "the normal stress is not held while the box is sheared",
        "lower test.platen_speed"},
-      {"sigma_n_error_residual", false, 0.1, 0.5, "the normal stress is not held where these are read",
-       "lower test.platen_speed", residuals},
-      {"box_lifted", false, 0.0, 0.05, "the boxes lose touch, nothing is sheared then",
-       "lower test.platen_speed, or raise test.normal_stress", {"tau_residual", "mu_residual", "dilation"}},
+      {"sigma_n_error_residual",
+       false,
+       0.1,
+       0.3,
+       "the normal stress is not held where these are read",
+       "lower test.platen_speed",
+       {"tau_residual", "mu_residual"}},
+      {"box_lifted",
+       false,
+       0.0,
+       0.05,
+       "the boxes lose touch, nothing is sheared then",
+       "lower test.platen_speed, or raise test.normal_stress",
+       {"tau_residual", "mu_residual", "dilation"}},
       {"area_change", true, 0.1, 0.0,
-       "the specimen grows nearly as fast across the load as it shortens, or faster: cracks open", elastic_instead,
-       tangents},
+       "the area of the specimen hardly shrinks under the load, or grows: cracks open", elastic_instead,
+       poisson},
       {"nu_spread", false, 0.05, 0.2,
        "nu differs by twice as much between the halves of the range that it is read in", elastic_instead,
-       {"nu", "nu_platen"}},
-      {"cracks_in_window", false, 0.15, 0.5, "this share of the cracks forms where E and nu are read",
-       elastic_instead, tangents},
+       poisson},
+      {"cracks_in_window",
+       false,
+       0.1,
+       0.5,
+       "this share of the cracks forms where E and nu are read",
+       elastic_instead,
+       {"E_tangent", "nu", "E_tangent_platen", "nu_platen"}},
       {"damping", true, 0.3, -1.0,
        "waves of each crack load its neighbours, which mostly lowers the strength",
        "raise engine.damping to 0.7"},
@@ -121,7 +131,9 @@ std::vector<QualityMark> quality_marks(const std::vector<Number>& numbers) {
       if (beyond(limit.warning))
         marks.push_back({&limit, n.value, beyond(limit.untrusted) ? Grade::untrusted : Grade::warning});
     }
-  const auto rank = [](const QualityMark& m) { return m.ends_test() ? 2 : m.grade == Grade::untrusted ? 1 : 0; };
+  const auto rank = [](const QualityMark& m) {
+    return m.ends_test() ? 2 : m.grade == Grade::untrusted ? 1 : 0;
+  };
   std::stable_sort(marks.begin(), marks.end(),
                    [&](const QualityMark& p, const QualityMark& q) { return rank(p) > rank(q); });
   return marks;

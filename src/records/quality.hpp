@@ -3,8 +3,8 @@
 // Every measure is a number of the result like any other (analysis/energy.hpp, analysis/specimen_checks.hpp),
 // so it is stored, tabled and read back with the rest; only the limits stand here. Two levels: a *warning*
 // leaves the number standing and is shown wherever the number is; *untrusted* means that the number is not
-// one of the rock, and ends the test with that outcome, out of every mean and fit. A measure may speak of some
-// numbers of a test only: then the test stands, and what is untrusted is not given. The limits come from
+// one of the rock, and ends the test with that outcome, out of every mean and fit. A measure may speak of
+// some numbers of a test only: then the test stands, and what is untrusted is not given. The limits come from
 // tests made bad on purpose: docs/reliability.md.
 #pragma once
 #include <cstddef>

@@ -75,8 +75,8 @@ TEST(Quality, EveryMeasureOfTheListIsJudgedOnItsBadSide) {
 TEST(Quality, NoGradeBesideAnOutcomeThatIsNoAnswer) {
   for (const Status s : all_statuses) {
     const Grade expected = s == Status::peaked || s == Status::knee || s == Status::solved ? Grade::good
-                           : s == Status::untrusted                                         ? Grade::untrusted
-                                                                                            : Grade::none;
+                           : s == Status::untrusted                                        ? Grade::untrusted
+                                                                                           : Grade::none;
     EXPECT_EQ(grade(sound(), s), expected) << to_string(s);
   }
   EXPECT_STREQ(to_string(Grade::none), "no result");

@@ -36,8 +36,9 @@ bool has_reservation(const TestResult& r, const Number& n) {
   return n.name == r.kind->curve.quantity().number && std::isfinite(n.value) && !n.note.empty();
 }
 
-/// "*" as well: a measure of quality speaks of this number (quality_lines).
+/// "*" as well: a measure of quality speaks of this number, in a line below the table (quality_lines).
 bool is_marked(const TestResult& r, const Number& n) {
+  if (!has_strength(r.outcome.status)) return false;
   const std::vector<QualityMark> marks = quality_marks(r.numbers);
   return std::any_of(marks.begin(), marks.end(), [&](const QualityMark& m) {
     return !m.limit->of.empty() && m.limit->speaks_of(n.name);
@@ -87,9 +88,7 @@ Columns run_columns(const Results& results) {
       column_of("steps", "", results, [](const TestResult& r) { return fmt::format("{}", r.n_steps); }),
       column_of("CPU", "s", results, [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }),
       column_of("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); }),
-      column_of("quality", "", results, [](const TestResult& r) {
-        return to_string(grade_of(r));
-      })};
+      column_of("quality", "", results, [](const TestResult& r) { return to_string(grade_of(r)); })};
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(PressTable, AnInterruptedTestHasNoNumbers) {
   auto all = two();
   all[0].outcome.status = Status::interrupted;
   EXPECT_THAT(press_table(all, 0), Not(HasSubstr("23.10")));
-  EXPECT_THAT(press_table(all, 0), HasSubstr("-/-             -/-  61200  11.0  interrupted        -\n"));
+  EXPECT_THAT(press_table(all, 0), HasSubstr("-/-             -/-  61200  11.0  interrupted  no result\n"));
 }
 
 TEST(PressTable, NoResultsGiveTheHeadOnly) { EXPECT_THAT(press_table({}, 0), HasSubstr("UCS")); }

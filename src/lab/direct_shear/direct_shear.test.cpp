@@ -109,7 +109,7 @@ TEST(DirectShear, ANormalStressThatSwingsIsNotHeld) {
   EXPECT_NEAR(analysis::value(swings, "sigma_n_error"), 0.2, 1e-12);
   EXPECT_NEAR(analysis::value(swings, "sigma_n_error_rms"), 0.2, 1e-12);
   EXPECT_NEAR(analysis::value(swings, "sigma_n_error_residual"), 0.0, 1e-12);
-  EXPECT_EQ(analysis::value(swings, "tau_residual"), 3e6);
+  EXPECT_NEAR(analysis::value(swings, "tau_residual"), 3e6, 1.0);
 }
 
 // The last quarter is rows 75 to 100; half of its 26 rows have no load, the others the double.
@@ -134,7 +134,7 @@ TEST(DirectShear, ABoxThatIsShearedTooFastIsNotTrusted) {
   r.test.platen_speed = 0.5;
   const TestResult fast = run_alone(r);
   EXPECT_EQ(fast.outcome.status, Status::untrusted);
-  EXPECT_THAT(fast.outcome.reason, testing::HasSubstr("sigma_n_error_rms"));
+  EXPECT_GT(number(fast, "sigma_n_error_rms").value, 1.0);
   EXPECT_EQ(grade_of(fast), Grade::untrusted);
   for (const char* name : {"tau_residual", "mu_residual", "dilation"})
     EXPECT_TRUE(std::isnan(number(fast, name).value)) << name << ": " << number(fast, name).value;

@@ -68,22 +68,23 @@ std::vector<Number> load_numbers(const Rows& rising, const Rows& residual, const
                                  const NormalLoad& load, const std::string& branch_note) {
   const std::vector<double> errors = load_errors(rising, load);
   const std::string note = load.stress > 0.0 ? branch_note : "no normal stress";
-  return {{"sigma_n", mean(rising, &HistoryRow::lateral_stress), "Pa", "mean normal stress up to the peak",
-           branch_note},
-          {"sigma_n_error", largest(errors), "1",
-           "largest relative deviation of the normal stress from the load asked for, up to the peak", note},
-          {"sigma_n_error_rms", root_mean_square(errors), "1",
-           "root mean square of the relative deviation of the normal stress from the load asked for, up to "
-           "the peak",
-           note},
-          {"sigma_n_error_residual", root_mean_square(load_errors(residual, load)), "1",
-           "root mean square of the relative deviation of the normal stress from the load asked for, over the "
-           "last quarter of the shear displacement",
-           note},
-          {"box_lifted", lifted_share(load_errors(behind, load)), "1",
-           "share of the rows that tau_residual and dilation are read from in which the normal stress is below "
-           "5 % of the load asked for",
-           note}};
+  return {
+      {"sigma_n", mean(rising, &HistoryRow::lateral_stress), "Pa", "mean normal stress up to the peak",
+       branch_note},
+      {"sigma_n_error", largest(errors), "1",
+       "largest relative deviation of the normal stress from the load asked for, up to the peak", note},
+      {"sigma_n_error_rms", root_mean_square(errors), "1",
+       "root mean square of the relative deviation of the normal stress from the load asked for, up to "
+       "the peak",
+       note},
+      {"sigma_n_error_residual", root_mean_square(load_errors(residual, load)), "1",
+       "root mean square of the relative deviation of the normal stress from the load asked for, over the "
+       "last quarter of the shear displacement",
+       note},
+      {"box_lifted", lifted_share(load_errors(behind, load)), "1",
+       "share of the rows that tau_residual and dilation are read from in which the normal stress is below "
+       "5 % of the load asked for",
+       note}};
 }
 
 }  // namespace
