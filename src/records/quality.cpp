@@ -37,7 +37,7 @@ const std::vector<QualityLimit>& quality_limits() {
        "bedding.orientation_range"},
       {"grains_per_spacing", true, 3.0, 1.0, "too few grains between two bedding planes",
        "lower the radii of [packing], or raise bedding.spacing"},
-      {"broken_at_start", false, 0.05, 0.3,
+      {"broken_at_start", false, 0.01, 0.1,
        "the confining or normal stress broke this share of the bonds before the test",
        "lower this stress, or raise the strengths of [matrix] and [[bedding]]"},
       {"slow_share", true, 0.2, -1.0, "the peak lies within the fast approach, or close behind it",
