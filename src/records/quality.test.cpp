@@ -83,24 +83,24 @@ TEST(Quality, NoGradeBesideAnOutcomeThatIsNoAnswer) {
   EXPECT_EQ(grade(sound_but("energy_error", 0.5), Status::unstable), Grade::none);
 }
 
-// The strength stands; E and nu are not given, and the measure that says so stays.
+// The strength stands; nu is not given, and the measure that says so stays.
 TEST(Quality, AMarkOfSingleNumbersTakesTheseAndLeavesTheTest) {
   std::vector<Number> numbers = sound_but("area_change", -0.6);
-  for (const char* name : {"ucs", "E_tangent", "nu"}) numbers.push_back(measured(name, 1.6));
+  for (const char* name : {"ucs", "nu_platen", "nu"}) numbers.push_back(measured(name, 1.6));
   note_marks(numbers);
   const auto of = [&](const char* name) {
     return *std::find_if(numbers.begin(), numbers.end(), [&](const Number& n) { return n.name == name; });
   };
   EXPECT_EQ(of("ucs").value, 1.6);
   EXPECT_EQ(of("ucs").note, "");
-  for (const char* name : {"E_tangent", "nu"}) {
+  for (const char* name : {"nu_platen", "nu"}) {
     EXPECT_TRUE(std::isnan(of(name).value)) << name;
     EXPECT_THAT(of(name).note, HasSubstr("area_change -0.6, below 0: "));
   }
   EXPECT_EQ(of("area_change").value, -0.6);
   EXPECT_EQ(grade(numbers), Grade::warning);
   ASSERT_EQ(quality_marks(numbers).size(), 1u);
-  EXPECT_THAT(quality_marks(numbers)[0].heading(), HasSubstr("E_tangent, nu"));
+  EXPECT_THAT(quality_marks(numbers)[0].heading(), HasSubstr("nu, nu_platen"));
   EXPECT_THAT(quality_marks(numbers)[0].heading(), HasSubstr("not given"));
 }
 
