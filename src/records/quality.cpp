@@ -83,7 +83,7 @@ const std::vector<QualityLimit>& quality_limits() {
       {"cracks_in_window",
        false,
        0.1,
-       0.5,
+       0.3,
        "this share of the cracks forms where E and nu are read",
        elastic_instead,
        {"E_tangent", "nu", "E_tangent_platen", "nu_platen"}},
