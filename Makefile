@@ -137,8 +137,8 @@ bench-peers: build
 yade: program
 	python3 bench/peers/equal.py $(BUILD)/phyllite
 
-# Tests made bad on purpose, and the tables of docs/reliability.md from them. Some nine minutes of CPU, never part of CI.
-RELIABILITY := compression tension brazilian confined packing resolution
+# Tests made bad on purpose, and the tables of docs/reliability.md from them. Some twelve minutes of CPU, never part of CI.
+RELIABILITY := compression tension brazilian confined packing resolution shear poisson
 reliability: program
 	@for s in $(RELIABILITY); do $(BUILD)/phyllite study examples/reliability/$$s.toml --out results/reliability/$$s || [ $$? = 1 ] || exit 1; done
 	python3 tools/reliability.py results/reliability docs/reliability.md

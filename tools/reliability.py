@@ -153,6 +153,37 @@ def resolution(results):
     return table(["discs", "`grains_across`", "`grains_per_spacing`"] + [label for label, _ in sets], lines)
 
 
+def against_slowest(rows, column, keys):
+    """(row, row of the slowest test of the same specimen) where both have the number."""
+    rows = [r for r in rows if r["status"] in HAS_STRENGTH and isinstance(r[column], float)]
+    slowest = {place(r, *keys): r for r in sorted(rows, key=lambda r: -r["test.platen_speed"])}
+    return [(r, slowest[place(r, *keys)]) for r in rows if r is not slowest[place(r, *keys)]]
+
+
+def shear(results):
+    pairs = against_slowest(rows_of(results / "shear"), "tau_peak", ["packing"])
+    lines = []
+    for low, high, name in bins_named([0.05, 0.1, 0.3, 1, 2]):
+        lines.append([name, summary([100.0 * (r["tau_peak"] / slow["tau_peak"] - 1.0) for r, slow in pairs if low <= r["sigma_n_error_rms"] < high])])
+    return table(["`sigma_n_error_rms`", "tau_peak"], lines)
+
+
+def moduli(results):
+    """nu, also where it is not given, is 1 - area_change. By the larger measure of both tests: neither is the right one."""
+    rows = rows_of(results / "poisson")
+    keys = [k for k in rows[0] if k.startswith(("matrix.", "bedding."))]
+    pairs, text = against_slowest(rows, "area_change", keys), ""
+    for measure, edges in (("nu_spread", [0.01, 0.03, 0.05, 0.08, 0.2]), ("cracks_in_window", [0.001, 0.05, 0.1, 0.2, 0.3])):
+        lines = []
+        for low, high, name in bins_named(edges):
+            inside = [p for p in pairs if all(isinstance(r[measure], float) for r in p) and low <= max(r[measure] for r in p) < high]
+            nu = [abs(r["area_change"] - slow["area_change"]) for r, slow in inside]
+            E = [100.0 * (r["E_tangent"] / slow["E_tangent"] - 1.0) for r, slow in inside if all(isinstance(x["E_tangent"], float) for x in (r, slow))]
+            lines.append([name, f"{sum(nu) / len(nu):.3f}, {max(nu):.2f} ({len(nu)})" if nu else "-", summary(E)])
+        text += table([f"`{measure}`", "nu: mean and worst difference", "E"], lines) + "\n"
+    return text
+
+
 def slip(all_errors, height, radius):
     """What bounds the slip of a joint at the strength: how far the platens have come together, over the smallest radius."""
     parts = []
@@ -165,7 +196,7 @@ def slip(all_errors, height, radius):
 def page(results):
     e = {s: Errors(results, s) for s in STRENGTHS}
     motion = ("", "test.platen_speed", "engine.damping")
-    n = sum(x.n_run for x in e.values()) + len(rows_of(results / "packing")) + len(rows_of(results / "resolution"))
+    n = sum(x.n_run for x in e.values()) + len(rows_of(results / "packing")) + sum(len(rows_of(results / s)) for s in ("resolution", "shear", "poisson"))
     cell = "A cell has mean, root mean square and worst error in %, and in brackets the number of tests."
     return "\n".join([
         f"{n:,} tests. {cell} First by what the program says of the test:\n", by_grade(e),
@@ -187,6 +218,8 @@ def page(results):
         "error of a test, but what a packing that is not meant does to its numbers:\n", packings(results),
         "Grains of another size in the same box with the same planes, single specimens against the mean of the smallest grains. Scatter and the "
         "size of the grains are in it together:\n", resolution(results),
+        "Direct shear of boxes at all speeds, by the deviation of the normal stress from 5 MPa:\n", shear(results),
+        "E and nu of two dozen rocks at 0.02 and 0.05 m/s against 0.005 m/s, by the larger measure of both tests:\n", moduli(results),
         f"Slip beyond a grain: a joint keeps the area that it was given, which is wrong once it has slipped by more than a radius. At the strength "
         f"the platens have come together by, in smallest radii: {slip(e, 76.0, 1.36)}. Slip of a plane between rigid platens is of that order.\n"])
 

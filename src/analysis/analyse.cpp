@@ -40,6 +40,7 @@ std::vector<Number> axial_numbers(const History& history, const LoadingBranch& b
   add(out, strength_rule(branch));
   add(out, elastic(branch, options, StrainFrom::gauge, ""));
   add(out, elastic(branch, options, StrainFrom::platen, "_platen"));
+  add(out, window_checks(branch, cracks, options.tangent));
   add(out, crack_initiation(branch, cracks, options.pre_strain));
   out.push_back(crack_initiation_by_strain(branch));
   out.push_back(crack_damage(branch)), out.push_back(crack_damage_volume(branch));

@@ -5,7 +5,8 @@
 // is linear in the number of rows and cracks, but for the strength of tests that may harden
 // (strength_rule.hpp).
 //
-//   elastic.hpp    E_tangent E_secant E_small nu, and the same with _platen
+//   elastic.hpp    E_tangent E_secant E_small nu, and the same with _platen; area_change nu_spread
+//                  cracks_in_window
 //   strength.hpp   ucs (or what the strength of the test is called) peak_strain strength_rule largest_stress
 //                  sigma_ci sigma_first_crack sigma_cd sigma_cd_volume
 //   crack_strain.hpp  sigma_ci_strain

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,8 @@ namespace {
 
 constexpr std::size_t enough_rows = 3;  // two rows would always lie on a line
 constexpr double straight = 0.9;  // below this R2 the curve is no line: noise, or failure within the range
+
+constexpr std::ptrdiff_t chance = 3;  // cracks, as of sigma_ci: fewer tell nothing
 
 std::string range_text(StressRange range) {
   return fmt::format("{:g} and {:g} %", 100 * range.lo, 100 * range.hi);
@@ -54,6 +58,27 @@ void fit(const LoadingBranch& branch, StressRange range, double HistoryRow::*x, 
     n.note = joined(n.note, fmt::format("no straight line: R2 = {:.2f}", line.R2));
 }
 
+/// Minus the slope of lateral over axial strain of the gauge.
+double nu_of(std::span<const HistoryRow> rows) {
+  std::vector<double> axial, lateral;
+  for (const HistoryRow& r : rows)
+    if (std::isfinite(r.axial_strain_gauge) && std::isfinite(r.lateral_strain_gauge))
+      axial.push_back(r.axial_strain_gauge), lateral.push_back(r.lateral_strain_gauge);
+  return axial.size() < enough_rows ? nan : -fit_line(axial, lateral).slope;
+}
+
+/// Of the cracks up to the strain `end`, those between two strains.
+double share_of_cracks(const std::vector<CrackEvent>& cracks, double from, double to, double end) {
+  const auto up_to = [&](double strain) {
+    return std::count_if(cracks.begin(), cracks.end(),
+                         [=](const CrackEvent& c) { return c.strain <= strain; });
+  };
+  const auto before =
+      std::count_if(cracks.begin(), cracks.end(), [=](const CrackEvent& c) { return c.strain < from; });
+  const auto inside = up_to(to) - before;
+  return inside < chance ? 0.0 : static_cast<double>(inside) / static_cast<double>(up_to(end));
+}
+
 }  // namespace
 
 Number tangent_modulus(const LoadingBranch& branch, StressRange range, StrainFrom from, std::string name) {
@@ -78,6 +103,31 @@ Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom 
   fit(branch, range, axial_strain_of(from), &HistoryRow::lateral_strain_gauge, n);
   n.value = 0.0 - n.value;  // not -x: a slope of 0 gives 0
   return n;
+}
+
+std::vector<Number> window_checks(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
+                                  StressRange range) {
+  const std::string window = fmt::format("between {} of {}", range_text(range), branch.strength),
+                    note = branch_note(branch);
+  Number area{
+      "area_change", nan, "1",
+      "1 - nu: shortening of the area of the middle over its axial strain, in the range of stress " + window,
+      note};
+  Number spread{"nu_spread", nan, "1",
+                "half the difference of nu between the two halves of the range of stress " + window, note};
+  Number share{"cracks_in_window", nan, "1",
+               fmt::format("cracks while the stress passes the range {} / cracks up to the {}; fewer than "
+                           "three count as none",
+                           window, branch.turn()),
+               note};
+  const auto rows = first_passage(branch, range);
+  const std::size_t half = rows.size() / 2;
+  area.value = 1.0 - nu_of(rows);
+  if (half >= enough_rows)
+    spread.value = 0.5 * std::fabs(nu_of(rows.subspan(half)) - nu_of(rows.first(half)));
+  if (!rows.empty())
+    share.value = share_of_cracks(cracks, rows.front().axial_strain, rows.back().axial_strain, branch.strain);
+  return {area, spread, share};
 }
 
 Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom from, std::string name) {

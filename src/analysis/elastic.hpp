@@ -29,6 +29,16 @@ Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom f
 /// Poisson's ratio: lateral strain of the gauge over the axial strain named. Notes as for tangent_modulus.
 Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom from, std::string name);
 
+/// Whether the range that E_tangent and nu are read in is one of an elastic body, all [1]:
+///   area_change       shortening of the area over axial strain, 1 - nu: below 0 the specimen grows as it is
+///                     pressed, which no elastic body does
+///   nu_spread         half the difference of nu between the halves of the range
+///   cracks_in_window  cracks of the range over those up to the strength; fewer than three are chance and
+///                     count as none
+/// Where the range has too few rows they are not known.
+std::vector<Number> window_checks(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
+                                  StressRange range);
+
 /// Says of every modulus, of nu and of the onset of cracks whose range of stress was passed while the loading
 /// bodies changed their speed, between the strains `from` and `to`, that it was: inertia bends the curve
 /// there.

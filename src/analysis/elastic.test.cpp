@@ -65,6 +65,42 @@ TEST(Elastic,
   EXPECT_DOUBLE_EQ(rows.back().axial_stress, 60e6);
 }
 
+/// The three measures of a range.
+std::vector<Number> window(const History& h, StressRange range,
+                           const std::vector<double>& crack_strains = {}) {
+  std::vector<CrackEvent> cracks(crack_strains.size());
+  for (std::size_t i = 0; i < cracks.size(); ++i) cracks[i].strain = crack_strains[i];
+  return window_checks(loading_branch(h), cracks, range);
+}
+
+// 0.4 to 0.6318 of 110: rows 22 to 30, where nu is 0.2, and as many, 31 to 39, where it is 0.5.
+TEST(Window, NuChangesByTwiceItsSpread) {
+  EXPECT_NEAR(value(window(bent(), {0.4, 0.6318}), "nu_spread"), 0.15, 1e-12);
+  EXPECT_NEAR(value(window(bent(), {0.1, 0.5}), "nu_spread"), 0.0, 1e-12);
+}
+
+TEST(Window, TheAreaShrinksByOneLessNu) {
+  EXPECT_NEAR(value(window(marble(), middle), "area_change"), 0.75, 1e-12);
+  EXPECT_NEAR(value(window(straight(50e9, 1.6, 100e6, 200), middle), "area_change"), -0.6, 1e-9);
+}
+
+// The range is that of rows 22 to 36, strains 0.022 to 0.036; the peak is at 0.080.
+TEST(Window, CracksOfTheRangeOverThoseUpToTheStrength) {
+  EXPECT_NEAR(value(window(bent(), middle, {0.01, 0.023, 0.03, 0.0355, 0.05, 0.09}), "cracks_in_window"), 0.6,
+              1e-12);
+  EXPECT_EQ(value(window(bent(), middle, {0.01, 0.023, 0.03, 0.05, 0.09}), "cracks_in_window"), 0.0)
+      << "two may be chance";
+}
+
+TEST(Window, WithFewRowsNothingIsKnownOfIt) {
+  for (const Number& n : window(straight(50e9, 0.25, 100e6, 10), {0.4, 0.5})) {
+    if (n.name != "cracks_in_window") {
+      EXPECT_TRUE(std::isnan(n.value)) << n.name;
+    }
+  }
+  for (const Number& n : window(History{}, middle)) EXPECT_TRUE(std::isnan(n.value)) << n.name;
+}
+
 TEST(Elastic, ScalingTheStressScalesTheModuliAlone) {
   History h = bent();
   const double E = tangent(h).value, S = secant(h, 0.8).value, nu = ratio(h).value;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "base/clusters.hpp"
+#include "base/nan.hpp"
 
 namespace phy::analysis {
 namespace {
@@ -72,6 +75,23 @@ double fewest_joints(const Specimen& s) {
 }
 
 }  // namespace
+
+Number broken_at_start(const Specimen& specimen, const std::vector<CrackEvent>& cracks, std::int64_t step) {
+  Number share{"broken_at_start", nan, "1",
+               "share of the matrix bonds that the confining or normal stress broke before loading began",
+               ""};
+  std::set<std::pair<std::uint32_t, std::uint32_t>> bonds;
+  for (const Contact& c : specimen.contacts)
+    if (c.kind == ContactKind::bonded && (c.sigma_c > 0.0 || c.tau_c > 0.0)) bonds.emplace(c.a, c.b);
+  const auto n_bonds = static_cast<double>(bonds.size());
+  for (const CrackEvent& c : cracks)
+    if (c.step <= step) bonds.erase({std::min(c.a, c.b), std::max(c.a, c.b)});  // parts of a bond count once
+  if (n_bonds > 0.0)
+    share.value = 1.0 - static_cast<double>(bonds.size()) / n_bonds;
+  else
+    share.note = "the matrix has no bonds";
+  return share;
+}
 
 std::vector<Number> specimen_checks(const Specimen& specimen) {
   const Packing& p = *specimen.packing;

@@ -82,5 +82,31 @@ TEST(SpecimenChecks, DispersedJointsHaveNoSpacing) {
   EXPECT_EQ(of(s, "joints"), 0.0);
 }
 
+CrackEvent broken(std::int64_t step, std::uint32_t a, std::uint32_t b) {
+  CrackEvent c;
+  c.step = step, c.a = a, c.b = b;
+  return c;
+}
+
+TEST(SpecimenChecks, BondsThatBreakBeforeLoadingAreCountedOnce) {
+  Specimen s = assembly(row_of_six, {{0, 1}, {0, 2}, {1, 2}, {1, 3}, {3, 4}});
+  for (Contact& c : s.contacts) c.sigma_c = 1.0;
+  s.contacts[3].sigma_c = s.contacts[3].tau_c = 0.0;  // an interface without a bond
+  s.contacts[4].kind = ContactKind::joint;            // three bonds are left
+  s.bedding.resize(1);
+  // Both ends of a flat joint, and one that broke while the test went on.
+  const std::vector<CrackEvent> cracks = {broken(10, 0, 1), broken(20, 0, 1), broken(20, 3, 4),
+                                          broken(21, 1, 2)};
+  EXPECT_DOUBLE_EQ(broken_at_start(s, cracks, 20).value, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(broken_at_start(s, cracks, 21).value, 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(broken_at_start(s, cracks, 9).value, 0.0);
+}
+
+TEST(SpecimenChecks, WithoutBondsNoneBreak) {
+  const Number n = broken_at_start(assembly(row_of_six, {}), {}, 20);
+  EXPECT_TRUE(std::isnan(n.value));
+  EXPECT_EQ(n.note, "the matrix has no bonds");
+}
+
 }  // namespace
 }  // namespace phy::analysis

@@ -111,16 +111,17 @@ double number_of(const TestResult& result, const std::string& name) {
   return n != nullptr ? n->value : std::nan("");
 }
 
-/// A number of the same test on several packings.
+/// A number of the same test on several packings; `number`: whose marks of quality count.
 template <class Value>
-Comparison over_packings(const Target& target, std::span<const TestResult> results, const Value& value_of) {
+Comparison over_packings(const Target& target, std::span<const TestResult> results, const std::string& number,
+                         const Value& value_of) {
   std::vector<double> values;
   Comparison c;
   for (const TestResult& result : results) {
     const double value = value_of(result);
     if (std::isfinite(value)) {
       values.push_back(value);
-      c.quality.add(result.numbers);
+      c.quality.add(result.numbers, number);
       c.n_invalid += is_invalid(result) ? 1 : 0;
     } else if (c.missing.empty()) {
       c.missing = result.outcome.reason + (result.outcome.advice.empty() ? "" : "; " + result.outcome.advice);
@@ -265,8 +266,8 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
                                            seeds.size());
     const Property property = targets[i].property;
-    rows.push_back(
-        over_packings(targets[i], some, [&](const TestResult& r) { return strength_of(r, property); }));
+    rows.push_back(over_packings(targets[i], some, test_of(property).number,
+                                 [&](const TestResult& r) { return strength_of(r, property); }));
     if (moduli == nullptr || !is_compressive(property)) continue;
     const auto without_value = [&](Property p) {
       Target t{p, targets[i].theta, std::nan(""), std::nan("")};
@@ -275,9 +276,9 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
     };
     const auto approach = [&](std::size_t k) { return recipes[i * seeds.size() + k].test.approach_strain; };
     const auto read = some.first(approach(seeds.size() - 1) > approach(0) ? 1 : seeds.size());
-    moduli->push_back(over_packings(without_value(Property::E), read,
+    moduli->push_back(over_packings(without_value(Property::E), read, "E_tangent",
                                     [&](const TestResult& r) { return modulus_of(r, property, reading); }));
-    moduli->push_back(over_packings(without_value(Property::nu), read,
+    moduli->push_back(over_packings(without_value(Property::nu), read, "nu",
                                     [](const TestResult& r) { return number_of(r, "nu"); }));
   }
   return rows;

@@ -143,7 +143,7 @@ std::string tests_csv(const std::vector<Job>& jobs) {
     const TestResult& r = job.result;
     text += fmt::format("{},{},{},{},{},{},{},{}", job.draw + 1, job.single.packing.seed, csv_cell(r.name),
                         r.intact ? "" : print_number(r.theta), study::csv_cell(job.sigma_3),
-                        to_string(r.outcome.status), to_string(grade_of(r.numbers)), r.hash);
+                        to_string(r.outcome.status), to_string(grade_of(r)), r.hash);
     for (const std::string& head : heads) {
       const auto it = std::find_if(r.numbers.begin(), r.numbers.end(),
                                    [&](const Number& n) { return head_of(n) == head; });

@@ -162,7 +162,7 @@ void print_outcomes(const study::EnvelopeTests& tests, int width) {
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i])
       for (const QualityMark& mark : quality_marks(r.numbers))
-        if (has_strength(r.outcome.status))
+        if (has_strength(r.outcome.status) && mark.limit->speaks_of("sigma_1"))
           add_line(findings, fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
                    fmt::format("warning: {}: {}; {}", mark.name(), mark.limit->says, mark.limit->advice));
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
@@ -188,7 +188,7 @@ std::string strengths_csv(const study::EnvelopeTests& tests) {
       const auto rule = stored ? study::rule_of(r) : std::nullopt;
       text += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
                           print_number(tests.confining[i]), value("sigma_1"), value("confinement_error"),
-                          to_string(r.outcome.status), stored ? to_string(grade_of(r.numbers)) : "",
+                          to_string(r.outcome.status), stored ? to_string(grade_of(r)) : "",
                           stored ? r.hash : "", rule ? to_string(*rule) : "");
     }
   return text;

@@ -65,12 +65,13 @@ Json recipe_json(const Recipe& recipe) {
 /// not have the list of limits.
 Json quality_json(const TestResult& result) {
   const std::vector<QualityMark> marks = quality_marks(result.numbers);
-  Json j = {{"grade", to_string(grade_of(result.numbers))}, {"marks", Json::array()}};
+  Json j = {{"grade", to_string(grade_of(result))}, {"marks", Json::array()}};
   for (const QualityMark& m : marks)
     j["marks"].push_back({{"number", m.limit->number},
                           {"value", m.value},
                           {"limit", m.bound()},
                           {"grade", to_string(m.grade)},
+                          {"of", m.limit->of},
                           {"says", m.text()},
                           {"advice", m.limit->advice}});
   return j;

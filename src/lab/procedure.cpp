@@ -21,6 +21,13 @@ constexpr double settled = 1e-3;               // mean unbalanced force / mean c
 constexpr std::int64_t settle_cycles = 40000;  // give up after
 constexpr std::int64_t steady_blocks = 10;     // in a row, before a prepared stress counts as reached
 constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are chance
+constexpr double almost = 0.99;                // of the peak: the stress has not begun to fall
+constexpr double sliding = 0.2;                // share of the work that friction takes
+
+/// The begin of an advice: more damping than usual slows a specimen down and calms nothing.
+std::string more_damping(const Recipe& recipe) {
+  return recipe.engine.damping < EngineRecipe{}.damping ? "raise engine.damping, or " : "";
+}
 
 }  // namespace
 
@@ -68,6 +75,7 @@ void Procedure::place_boundary() {
 
 void Procedure::start_loading() {
   phase_ = Phase::load;
+  loads_from_ = static_cast<std::int64_t>(row_.step);
   approaching_ = recipe_.test.approach_strain > 0.0;
   group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prescribe_motion();
@@ -131,7 +139,7 @@ bool Procedure::load_once_steady(bool at_target, double stress_over_target, doub
       Status::not_settled,
       fmt::format("the confining or normal stress does not settle: {:.1f} % off its target after {} cycles",
                   100.0 * (stress_over_target - 1.0), cycles),
-      "raise engine.damping, or lower test.platen_speed or the stress");
+      fmt::format("{}lower test.platen_speed or test.{}", more_damping(recipe_), test().kept_stress.key));
 }
 
 /// Of a row that the watchdog has rejected only step and time are of now, as in the group.
@@ -193,7 +201,9 @@ bool Procedure::after_block() {
     return end(
         Status::not_settled,
         fmt::format("unbalanced force {:.1e} of the contact force after {} cycles", row.unbalanced, cycles),
-        "lower packing.isotropic_stress, or raise engine.damping");
+        more_damping(recipe_) + (recipe_.packing.file.empty()
+                                     ? "lower packing.isotropic_stress"
+                                     : "choose packing.initial_stress = \"stress_free\""));
   }
   if (phase_ == Phase::prepare) return prepare(blocks_);
   result_.history.rows.push_back(row);
@@ -256,17 +266,28 @@ bool Procedure::end_without_peak(const Reading& now) {
     return end(Status::not_peaked, "nothing can break, up to " + at,
                "set matrix.unbreakable = false to get a strength");
   if (now.stress < recipe_.test.stop_at * peak_.stress && n_broken < least_cracks)
-    return end(
-        Status::not_peaked,
-        fmt::format(
-            "the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds broke: the specimen has "
-            "lost contact with a {}, or slips",
-            stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken, result_.kind->body),
-        "take smaller grains: more bonds then carry the load");
+    return end_without_cracks(
+        fmt::format("the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds "
+                    "broke",
+                    stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken));
+  const char* const or_stop = now.stress < almost * peak_.stress ? ", or test.stop_at" : "";
   return end(Status::not_peaked,
              fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to {}",
                          recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, at),
-             "raise test.max_strain, or test.stop_at");
+             std::string("raise test.max_strain") + or_stop);
+}
+
+/// The stress fell, and bonds did not break: grains slide, or what carried the load has come loose.
+bool Procedure::end_without_cracks(const std::string& what) {
+  const HistoryRow& last = result_.history.rows.back();
+  if (last.slip > sliding * last.boundary_work)
+    return end(Status::not_peaked,
+               fmt::format("{}: grains slide past each other, which took {:.0f} % of the work; the largest "
+                           "stress is one of friction, not of bonds",
+                           what, 100.0 * last.slip / last.boundary_work),
+               "");
+  return end(Status::not_peaked, what + ": the specimen has lost contact with a " + result_.kind->body,
+             "take smaller grains: more bonds then carry the load");
 }
 
 Snapshot Procedure::snapshot() const {
@@ -365,11 +386,14 @@ void Procedure::read_numbers() {
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   result_.numbers.push_back({"damping", recipe_.engine.damping, "1", "local damping coefficient", ""});
+  if (const KeptStress& kept = test().kept_stress; kept.value != nullptr && recipe_.test.*kept.value > 0.0)
+    result_.numbers.push_back(analysis::broken_at_start(*specimen_, result_.cracks, loads_from_));
   judge_approach();
   accept_strength();
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
+  note_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
-  if (grade_of(result_.numbers) != Grade::untrusted) return;
+  if (marks.empty() || !marks.front().ends_test()) return;
   if (outcome.status == Status::unstable || outcome.status == Status::interrupted) return;
   if (has_strength(outcome.status)) outcome.status = Status::untrusted;
   outcome.reason = marks.front().text() + "; it ended with " + outcome.reason;

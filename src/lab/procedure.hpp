@@ -15,6 +15,8 @@
 // not peaked. The test reads rows and decides; the group computes. Strains count from the moment the boundary
 // is in place.
 #pragma once
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -125,14 +127,16 @@ class Procedure {
   void end_approach(double strain);
   bool check_stop();
   bool end_without_peak(const Reading& now);
+  bool end_without_cracks(const std::string& what);
   bool end_unstable(const engine::LaneHealth& health);
 
   std::shared_ptr<const TestBoundary> boundary_;
   HistoryRow row_;
   double zero_axial_ = 0.0, zero_lateral_ = 0.0;  // where strains count from
   Phase phase_ = Phase::settle;
-  bool approaching_ = false;      // at test.approach_speed
-  std::int64_t blocks_ = 0;       // in this phase
+  bool approaching_ = false;                                            // at test.approach_speed
+  std::int64_t loads_from_ = std::numeric_limits<std::int64_t>::max();  // cycle
+  std::int64_t blocks_ = 0;                                             // in this phase
   std::int64_t n_at_target_ = 0;  // blocks of preparation at the full target
   std::int64_t n_steady_ = 0;     // of these, in a row close to it
   Moments<Snapshot> snapshots_;

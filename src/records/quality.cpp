@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nan.hpp"
+
 namespace phy {
 
 const char* to_string(Grade grade) {
@@ -13,11 +15,14 @@ const char* to_string(Grade grade) {
     case Grade::good: return "good";
     case Grade::warning: return "warning";
     case Grade::untrusted: return "untrusted";
+    case Grade::none: return "no result";
   }
   return "";
 }
 
 const std::vector<QualityLimit>& quality_limits() {
+  const std::vector<std::string> poisson = {"nu", "nu_platen"};
+  const char* const elastic_instead = "`phyllite elastic` gives E and nu of the rock before it cracks";
   static const std::vector<QualityLimit> limits = {
       {"porosity", true, 0.05, 0.0, "the discs lie on top of each other",
        "put fewer discs into the box (packing.n_grains, packing.porosity or the imported file)"},
@@ -32,6 +37,9 @@ const std::vector<QualityLimit>& quality_limits() {
        "bedding.orientation_range"},
       {"grains_per_spacing", true, 3.0, 1.0, "too few grains between two bedding planes",
        "lower the radii of [packing], or raise bedding.spacing"},
+      {"broken_at_start", false, 0.01, 0.1,
+       "the confining or normal stress broke this share of the bonds before the test",
+       "lower this stress, or raise the strengths of [matrix] and [[bedding]]"},
       {"slow_share", true, 0.2, -1.0, "the peak lies within the fast approach, or close behind it",
        "lower test.approach_strain"},
       {"wave_transits", true, 50.0, 10.0, "stress waves have little time to even out",
@@ -47,9 +55,38 @@ const std::vector<QualityLimit>& quality_limits() {
        "lower test.platen_speed, or, of a test that is slow already, test.history_interval"},
       {"platen_difference_95", false, 0.03, 0.1,
        "opposite platens, grips, jaws or rollers carry different forces, inertia takes the difference",
-       "lower test.platen_speed, or raise engine.damping"},
+       "lower test.platen_speed, or raise engine.damping if it is below 0.7"},
       {"kinetic_ratio", false, 0.01, 0.1, "the specimen is in motion, not in equilibrium",
-       "lower test.platen_speed, or raise engine.damping"},
+       "lower test.platen_speed, or raise engine.damping if it is below 0.7"},
+      {"sigma_n_error_rms", false, 0.1, 0.3, "the normal stress is not held while the box is sheared",
+       "lower test.platen_speed"},
+      {"sigma_n_error_residual",
+       false,
+       0.1,
+       0.3,
+       "the normal stress is not held where these are read",
+       "lower test.platen_speed",
+       {"tau_residual", "mu_residual"}},
+      {"box_lifted",
+       false,
+       0.0,
+       0.05,
+       "the boxes lose touch, nothing is sheared then",
+       "lower test.platen_speed, or raise test.normal_stress",
+       {"tau_residual", "mu_residual", "dilation"}},
+      {"area_change", true, 0.1, 0.0,
+       "the area of the specimen hardly shrinks under the load, or grows: cracks open", elastic_instead,
+       poisson},
+      {"nu_spread", false, 0.05, 0.2,
+       "nu differs by twice as much between the halves of the range that it is read in", elastic_instead,
+       poisson},
+      {"cracks_in_window",
+       false,
+       0.1,
+       0.3,
+       "this share of the cracks forms where E and nu are read",
+       elastic_instead,
+       {"E_tangent", "nu", "E_tangent_platen", "nu_platen"}},
       {"damping", true, 0.3, -1.0,
        "waves of each crack load its neighbours, which mostly lowers the strength",
        "raise engine.damping to 0.7"},
@@ -57,6 +94,16 @@ const std::vector<QualityLimit>& quality_limits() {
        "raise engine.damping where it is below 0.7, else lower engine.step_safety"},
   };
   return limits;
+}
+
+bool QualityLimit::speaks_of(const std::string& name) const {
+  return of.empty() || std::find(of.begin(), of.end(), name) != of.end();
+}
+
+std::string QualityMark::heading() const {
+  if (limit->of.empty()) return to_string(grade);
+  const std::string names = fmt::format("{}", fmt::join(limit->of, ", "));
+  return grade == Grade::untrusted ? names + " not given" : "warning for " + names;
 }
 
 std::string QualityMark::name() const {
@@ -84,24 +131,47 @@ std::vector<QualityMark> quality_marks(const std::vector<Number>& numbers) {
       if (beyond(limit.warning))
         marks.push_back({&limit, n.value, beyond(limit.untrusted) ? Grade::untrusted : Grade::warning});
     }
+  const auto rank = [](const QualityMark& m) {
+    return m.ends_test() ? 2 : m.grade == Grade::untrusted ? 1 : 0;
+  };
   std::stable_sort(marks.begin(), marks.end(),
-                   [](const QualityMark& p, const QualityMark& q) { return p.grade > q.grade; });
+                   [&](const QualityMark& p, const QualityMark& q) { return rank(p) > rank(q); });
   return marks;
 }
 
-Grade grade_of(const std::vector<Number>& numbers) {
-  const std::vector<QualityMark> marks = quality_marks(numbers);
-  if (!marks.empty()) return marks.front().grade;
-  const bool assessed = std::any_of(numbers.begin(), numbers.end(), [](const Number& n) {
-    return n.name == quality_limits().front().number;
-  });
-  return assessed ? Grade::good : Grade::unknown;
+namespace {
+
+bool is_assessed(const std::vector<Number>& numbers) {
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [](const Number& n) { return n.name == quality_limits().front().number; });
 }
 
-void QualityTally::add(const std::vector<Number>& numbers) {
-  const std::vector<QualityMark> marks = quality_marks(numbers);
+}  // namespace
+
+Grade grade_of(const TestResult& result) {
+  if (result.outcome.status == Status::untrusted) return Grade::untrusted;
+  if (!has_answer(result.outcome.status)) return Grade::none;
+  const std::vector<QualityMark> marks = quality_marks(result.numbers);
+  if (std::any_of(marks.begin(), marks.end(), [](const QualityMark& m) { return m.ends_test(); }))
+    return Grade::untrusted;
+  if (!marks.empty()) return Grade::warning;
+  return is_assessed(result.numbers) ? Grade::good : Grade::unknown;
+}
+
+void note_marks(std::vector<Number>& numbers) {
+  for (const QualityMark& mark : quality_marks(numbers))
+    for (Number& n : numbers) {
+      if (mark.limit->of.empty() || !mark.limit->speaks_of(n.name)) continue;
+      n.note += (n.note.empty() ? "" : "; ") + mark.text();
+      if (mark.grade == Grade::untrusted) n.value = nan;
+    }
+}
+
+void QualityTally::add(const std::vector<Number>& numbers, const std::string& number) {
+  std::vector<QualityMark> marks = quality_marks(numbers);
+  std::erase_if(marks, [&](const QualityMark& m) { return !number.empty() && !m.limit->speaks_of(number); });
   ++n_results;
-  n_unknown += grade_of(numbers) == Grade::unknown ? 1 : 0;
+  n_unknown += is_assessed(numbers) ? 0 : 1;
   n_marked += marks.empty() ? 0 : 1;
   for (const QualityMark& m : marks) ++measures[m.limit->number];
 }

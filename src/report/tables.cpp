@@ -36,12 +36,21 @@ bool has_reservation(const TestResult& r, const Number& n) {
   return n.name == r.kind->curve.quantity().number && std::isfinite(n.value) && !n.note.empty();
 }
 
+/// "*" as well: a measure of quality speaks of this number, in a line below the table (quality_lines).
+bool is_marked(const TestResult& r, const Number& n) {
+  if (!has_strength(r.outcome.status)) return false;
+  const std::vector<QualityMark> marks = quality_marks(r.numbers);
+  return std::any_of(marks.begin(), marks.end(), [&](const QualityMark& m) {
+    return !m.limit->of.empty() && m.limit->speaks_of(n.name);
+  });
+}
+
 /// A column of the kind of test.
 Column reading(const Results& results, const TableColumn& c) {
   return column_of(c.head, c.unit, results, [&](const TestResult& r) {
     const std::string cell = number(r, c.number, c.scale, c.digits);
     const bool marked = std::any_of(r.numbers.begin(), r.numbers.end(), [&](const Number& n) {
-      return n.name == c.number && has_reservation(r, n);
+      return n.name == c.number && (has_reservation(r, n) || is_marked(r, n));
     });
     return cell != "-" && marked ? cell + "*" : cell;
   });
@@ -79,12 +88,7 @@ Columns run_columns(const Results& results) {
       column_of("steps", "", results, [](const TestResult& r) { return fmt::format("{}", r.n_steps); }),
       column_of("CPU", "s", results, [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }),
       column_of("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); }),
-      column_of("quality", "", results, [](const TestResult& r) {
-        const bool ended = has_strength(r.outcome.status) || r.outcome.status == Status::not_peaked ||
-                           r.outcome.status == Status::untrusted;
-        if (!ended) return "-";
-        return to_string(grade_of(r.numbers));
-      })};
+      column_of("quality", "", results, [](const TestResult& r) { return to_string(grade_of(r)); })};
 }
 
 }  // namespace
@@ -146,7 +150,7 @@ std::string quality_lines(const Results& results) {
   }
   std::string text;
   for (const auto& [mark, tests] : reported)
-    text += fmt::format("{}: {}: {}; {} ({})\n", to_string(mark.grade), mark.name(), mark.limit->says,
+    text += fmt::format("{}: {}: {}; {} ({})\n", mark.heading(), mark.name(), mark.limit->says,
                         mark.limit->advice, tests);
   return text;
 }

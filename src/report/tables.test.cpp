@@ -52,17 +52,29 @@ TEST(PressTable, OneTableWithUnits) {
       press_table(two(), 200),
       " theta  E tan50  E sec50     nu     UCS  sigma_ci  ci strain  sigma_cd   energy  cracks matrix  "
       "cracks "
-      "bedding  steps   CPU   outcome  quality\n"
+      "bedding  steps   CPU   outcome    quality\n"
       "   deg      GPa      GPa            MPa       MPa        MPa       MPa    error  tension/shear   "
       "tension/shear            s\n"
       "------  -------  -------  -----  ------  --------  ---------  --------  -------  -------------  "
-      "--------------  -----  ----  --------  -------\n"
+      "--------------  -----  ----  --------  ---------\n"
       "    30    23.10    24.00  0.251  111.91    <44.40      70.00     99.90  0.00066         850/64        "
       "    "
-      "12/7  61200  11.0    peaked     good\n"
+      "12/7  61200  11.0    peaked       good\n"
       "intact        -        -      -       -         -          -         -        -            -/-        "
       "     "
-      "-/-      0   0.0  unstable        -\n");
+      "-/-      0   0.0  unstable  no result\n");
+}
+
+// What a measure says of nu alone stands beside nu alone, and below the table by name.
+TEST(PressTable, AMeasureOfSingleNumbersMarksThese) {
+  auto results = two();
+  results[0].numbers.push_back({"nu_spread", 0.07, "1", "", ""});
+  const std::string table = press_table(results, 0);
+  EXPECT_THAT(table, testing::AllOf(HasSubstr("0.251*"), HasSubstr(" 23.10  "), HasSubstr(" 111.91  ")));
+  EXPECT_THAT(table, HasSubstr("warning"));
+  EXPECT_THAT(outcome_lines(results),
+              testing::AllOf(HasSubstr("warning for nu, nu_platen: nu_spread above 0.05: "),
+                             HasSubstr("(theta = 30 deg 0.07)")));
 }
 
 TEST(PressTable, NoLimitForOutputThatIsNoTerminal) {
@@ -105,7 +117,7 @@ TEST(PressTable, AnInterruptedTestHasNoNumbers) {
   auto all = two();
   all[0].outcome.status = Status::interrupted;
   EXPECT_THAT(press_table(all, 0), Not(HasSubstr("23.10")));
-  EXPECT_THAT(press_table(all, 0), HasSubstr("-/-             -/-  61200  11.0  interrupted        -\n"));
+  EXPECT_THAT(press_table(all, 0), HasSubstr("-/-             -/-  61200  11.0  interrupted  no result\n"));
 }
 
 TEST(PressTable, NoResultsGiveTheHeadOnly) { EXPECT_THAT(press_table({}, 0), HasSubstr("UCS")); }

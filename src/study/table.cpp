@@ -27,7 +27,7 @@ std::string quality_cells(const TestResult& result) {
   const std::vector<QualityMark> marks = quality_marks(result.numbers);
   std::string names;
   for (const QualityMark& m : marks) names += (names.empty() ? "" : " ") + std::string(m.limit->number);
-  return std::string(phy::to_string(grade_of(result.numbers))) + "," + names;
+  return std::string(phy::to_string(grade_of(result))) + "," + names;
 }
 
 }  // namespace

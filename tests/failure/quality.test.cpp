@@ -65,11 +65,27 @@ class Quality : public ProgramTest {
   }
 };
 
+// At 60 degrees cracks open where nu is read, in grains as coarse as these.
+const std::string uncracked = "angles = [\"30 deg\"]";
+
 TEST_F(Quality, ASlowTestOfARealSpecimenIsGood) {
-  EXPECT_EQ(run("run " + rock() + " --out " + out()), 0) << output;
+  EXPECT_EQ(run("run " + rock({uncracked}) + " --out " + out()), 0) << output;
   EXPECT_THAT(output, AllOf(HasSubstr("good"), Not(HasSubstr("warning")), Not(HasSubstr("untrusted"))));
-  EXPECT_EQ(result()["quality"]["grade"], "good");
-  EXPECT_TRUE(result()["quality"]["marks"].empty());
+  EXPECT_EQ(result("theta_30_deg")["quality"]["grade"], "good");
+  EXPECT_TRUE(result("theta_30_deg")["quality"]["marks"].empty());
+}
+
+// The strength stands and is counted; nu is withheld, in the table and in the file.
+TEST_F(Quality, NuOfARockThatGrowsInAreaIsNotGiven) {
+  EXPECT_EQ(run("run " + rock() + " --out " + out()), 0) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("nu, nu_platen not given: area_change below 0"), HasSubstr("peaked")));
+  const nlohmann::json j = result();
+  EXPECT_EQ(j["outcome"]["status"], "peaked");
+  EXPECT_EQ(j["quality"]["grade"], "warning");
+  EXPECT_EQ(j["quality"]["marks"][0]["grade"], "untrusted");
+  EXPECT_EQ(j["quality"]["marks"][0]["of"][0], "nu");
+  EXPECT_TRUE(j["numbers"]["nu"]["value"].is_null());
+  EXPECT_TRUE(j["numbers"]["ucs"]["value"].is_number());
 }
 
 struct Bad {
@@ -131,13 +147,14 @@ TEST_F(Quality, APeakWithinTheApproachHasAWarningThatNamesIt) {
   EXPECT_THAT(output, AllOf(HasSubstr("slow_share below 0.2"), HasSubstr("lower test.approach_strain"),
                             HasSubstr("behind 0.030 m/s up to a strain of 0.009")));
   EXPECT_EQ(result()["quality"]["grade"], "warning");
-  EXPECT_EQ(run("run " + rock({"approach_strain = 2e-4", fast}) + " --out " + at("early")), 0) << output;
+  EXPECT_EQ(run("run " + rock({"approach_strain = 2e-4", fast, uncracked}) + " --out " + at("early")), 0)
+      << output;
   EXPECT_THAT(output, AllOf(HasSubstr("good"), Not(HasSubstr("slow_share"))));
 }
 
 // In a study an untrusted test is left out of means and effects, unless asked for.
 TEST_F(Quality, AStudyLeavesUntrustedTestsOut) {
-  rock();
+  rock({uncracked});
   const std::string study = write(
       "study.toml", "name = \"speeds\"\nrecipe = \"rock.toml\"\ndesign = \"list\"\nfile = \"points.csv\"\n");
   write("points.csv", "test.platen_speed [m/s]\n0.05\n0.02\n2\n");

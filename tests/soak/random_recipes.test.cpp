@@ -160,7 +160,7 @@ class References : public RandomRecipes {
     if (kind != "uniaxial" && kind != "direct_tension") return {};
     const std::optional<SpecimenRecord> fast = first_strength(*recipe, place);
     if (!fast) return {};
-    Found found{number, nan, grade_of(fast->result.numbers), kind};
+    Found found{number, nan, grade_of(fast->result), kind};
     const std::optional<SpecimenRecord> well = first_strength(slow(*recipe, *fast), place, fast->result.name);
     if (!well) {
       found.what += ": the reference has no strength";

@@ -6,6 +6,7 @@
 #include "engine/jacket.hpp"
 #include "lab/biaxial/reading.hpp"
 #include "lab/procedure_fixture.hpp"
+#include "records/quality.hpp"
 
 namespace phy::lab {
 namespace {
@@ -146,6 +147,34 @@ TEST(Biaxial, JacketKeepsTheEnergyBalanceWhereGrainsComeLoose) {
     EXPECT_EQ(result.outcome.status, Status::peaked) << result.outcome.reason;
     EXPECT_LT(number(result, "energy_error").value, 1e-3);
   }
+}
+
+// Bonds of 1 kPa under 5 MPa: what is sheared is no bonded rock.
+TEST(Biaxial, AConfinementThatBreaksTheBondsIsTold) {
+  Recipe r = confined(5e6, Confinement::walls);
+  const TestResult sound = run_alone(r);
+  EXPECT_EQ(number(sound, "broken_at_start").value, 0.0);
+  EXPECT_EQ(sound.outcome.status, Status::peaked) << sound.outcome.reason;
+  r.matrix.sigma_c = r.matrix.tau_c = 1e3, r.matrix.sigma_c_sd = r.matrix.tau_c_sd = 0.0;
+  const TestResult crushed = run_alone(r);
+  EXPECT_GT(number(crushed, "broken_at_start").value, 0.9);
+  EXPECT_EQ(crushed.outcome.status, Status::untrusted);
+  EXPECT_EQ(crushed.outcome.reason.find("broken_at_start "), 0u) << crushed.outcome.reason;
+  EXPECT_NE(crushed.outcome.advice.find("lower this stress"), std::string::npos);
+}
+
+// Bonds that carry nothing and never break: smaller grains would not help.
+TEST(Biaxial, GrainsThatSlideGetNoAdviceAboutBonds) {
+  Recipe r = confined(5e6, Confinement::walls);
+  r.matrix.E_b = 1e3, r.matrix.sigma_c = r.matrix.tau_c = 1e9, r.matrix.mu = 0.5;
+  r.matrix.sigma_c_sd = r.matrix.tau_c_sd = 0.0;
+  r.test.platen_speed = 0.05, r.test.max_strain = 0.01, r.test.stop_at = 0.9, r.test.post_peak = 0.0;
+  const TestResult result = run_alone(r);
+  ASSERT_EQ(result.outcome.status, Status::not_peaked) << result.outcome.reason;
+  EXPECT_NE(result.outcome.reason.find("only 0 bonds broke: grains slide"), std::string::npos)
+      << result.outcome.reason;
+  EXPECT_EQ(result.outcome.advice, "");
+  EXPECT_EQ(grade_of(result), Grade::none);
 }
 
 Recipe dense(double max_strain) {

@@ -7,6 +7,7 @@
 
 #include "lab/direct_shear/reading.hpp"
 #include "lab/procedure_fixture.hpp"
+#include "records/quality.hpp"
 
 namespace phy::lab {
 namespace {
@@ -83,6 +84,60 @@ TEST(DirectShear, BoxesHoldAllButTheGap) {
     EXPECT_EQ(boundary.bodies[0].grips.size() + boundary.bodies[1].grips.size() + free,
               packing->discs.size());
   }
+}
+
+/// A hundred rows 1 um apart, the peak in row 20; normal stress by row number, 5 MPa asked for.
+std::vector<Number> kept(double (*normal_stress)(int)) {
+  History h;
+  h.kind = TestKind("direct_shear"), h.width = h.height = 0.1;
+  for (int i = 1; i <= 100; ++i) {
+    HistoryRow r;
+    r.axial_strain = 1e-6 * i, r.lateral_strain = -1e-7 * i;
+    r.axial_stress = i <= 20 ? 1e6 * i : 3e6;
+    r.lateral_stress = normal_stress(i);
+    h.rows.push_back(r);
+  }
+  std::vector<Number> numbers = shear_numbers(h, {}, {5e6, 0.0});
+  note_marks(numbers);
+  return numbers;
+}
+
+// Ten rows 20 % above the load asked for and ten as much below: the mean hides it.
+TEST(DirectShear, ANormalStressThatSwingsIsNotHeld) {
+  const auto swings = kept([](int i) { return i > 20 ? 5e6 : i % 2 == 0 ? 6e6 : 4e6; });
+  EXPECT_NEAR(analysis::value(swings, "sigma_n"), 5e6, 1.0);
+  EXPECT_NEAR(analysis::value(swings, "sigma_n_error"), 0.2, 1e-12);
+  EXPECT_NEAR(analysis::value(swings, "sigma_n_error_rms"), 0.2, 1e-12);
+  EXPECT_NEAR(analysis::value(swings, "sigma_n_error_residual"), 0.0, 1e-12);
+  EXPECT_NEAR(analysis::value(swings, "tau_residual"), 3e6, 1.0);
+}
+
+// The last quarter is rows 75 to 100; half of its 26 rows have no load, the others the double.
+TEST(DirectShear, WhereTheBoxLiftsNothingIsReadBehindThePeak) {
+  const auto lifts = kept([](int i) { return i < 75 ? 5e6 : i % 2 == 0 ? 0.0 : 10e6; });
+  EXPECT_NEAR(analysis::value(lifts, "sigma_n_error_rms"), 0.0, 1e-12);
+  EXPECT_NEAR(analysis::value(lifts, "sigma_n_error_residual"), 1.0, 1e-12);
+  EXPECT_NEAR(analysis::value(lifts, "box_lifted"), 13.0 / 41.0, 1e-12) << "dilation is read from row 60 on";
+  EXPECT_EQ(analysis::value(lifts, "tau_peak"), 20e6);
+  for (const char* name : {"tau_residual", "mu_residual", "dilation"}) {
+    EXPECT_TRUE(std::isnan(analysis::value(lifts, name))) << name;
+    EXPECT_THAT(analysis::note(lifts, name), testing::HasSubstr("the boxes lose touch"));
+  }
+}
+
+// Under 4 MPa a box that is sheared as fast as this rides up, and comes down again behind the peak.
+TEST(DirectShear, ABoxThatIsShearedTooFastIsNotTrusted) {
+  Recipe r = box();
+  r.bedding.clear();
+  r.test.shear_gap = 0.002;
+  r.test.max_strain = 0.02;
+  r.test.platen_speed = 0.5;
+  const TestResult fast = run_alone(r);
+  EXPECT_EQ(fast.outcome.status, Status::untrusted);
+  EXPECT_GT(number(fast, "sigma_n_error_rms").value, 1.0);
+  EXPECT_EQ(grade_of(fast), Grade::untrusted);
+  for (const char* name : {"tau_residual", "mu_residual", "dilation"})
+    EXPECT_TRUE(std::isnan(number(fast, name).value)) << name << ": " << number(fast, name).value;
 }
 
 TEST(DirectShear, DefinitionsSpeakOfTheShearStress) {

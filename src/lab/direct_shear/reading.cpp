@@ -13,6 +13,7 @@ namespace phy::lab {
 namespace {
 
 constexpr double residual_part = 0.25;  // of the shear displacement, at its end
+constexpr double touching = 0.05;       // of the normal load: with less the boxes hardly touch
 
 using Rows = std::vector<const HistoryRow*>;
 
@@ -35,13 +36,55 @@ double slope(const Rows& rows, double HistoryRow::*y) {
   return fit_line(u, v).slope;
 }
 
-double load_error(const Rows& rows, const NormalLoad& load) {
-  double worst = 0.0;
-  for (const HistoryRow* r : rows) {
-    const double target = load.stress - load.stiffness * r->lateral_strain;
-    worst = std::max(worst, std::fabs(r->lateral_stress / target - 1.0));
-  }
-  return load.stress > 0.0 ? worst : nan;
+/// Of the normal stress in each row, over the load asked for; empty without one.
+std::vector<double> load_errors(const Rows& rows, const NormalLoad& load) {
+  std::vector<double> errors;
+  for (const HistoryRow* r : rows)
+    if (load.stress > 0.0)
+      errors.push_back(r->lateral_stress / (load.stress - load.stiffness * r->lateral_strain) - 1.0);
+  return errors;
+}
+
+double largest(const std::vector<double>& errors) {
+  double most = errors.empty() ? nan : 0.0;
+  for (const double e : errors) most = std::max(most, std::fabs(e));
+  return most;
+}
+
+double root_mean_square(const std::vector<double>& errors) {
+  double squares = 0.0;
+  for (const double e : errors) squares += e * e;
+  return std::sqrt(squares / static_cast<double>(errors.size()));
+}
+
+double lifted_share(const std::vector<double>& errors) {
+  const auto n = std::count_if(errors.begin(), errors.end(), [](double e) { return e < touching - 1.0; });
+  return static_cast<double>(n) / static_cast<double>(errors.size());
+}
+
+/// How well the normal load was kept: up to the peak, in the last quarter, and in all rows that something is
+/// read from behind the peak.
+std::vector<Number> load_numbers(const Rows& rising, const Rows& residual, const Rows& behind,
+                                 const NormalLoad& load, const std::string& branch_note) {
+  const std::vector<double> errors = load_errors(rising, load);
+  const std::string note = load.stress > 0.0 ? branch_note : "no normal stress";
+  return {
+      {"sigma_n", mean(rising, &HistoryRow::lateral_stress), "Pa", "mean normal stress up to the peak",
+       branch_note},
+      {"sigma_n_error", largest(errors), "1",
+       "largest relative deviation of the normal stress from the load asked for, up to the peak", note},
+      {"sigma_n_error_rms", root_mean_square(errors), "1",
+       "root mean square of the relative deviation of the normal stress from the load asked for, up to "
+       "the peak",
+       note},
+      {"sigma_n_error_residual", root_mean_square(load_errors(residual, load)), "1",
+       "root mean square of the relative deviation of the normal stress from the load asked for, over the "
+       "last quarter of the shear displacement",
+       note},
+      {"box_lifted", lifted_share(load_errors(behind, load)), "1",
+       "share of the rows that tau_residual and dilation are read from in which the normal stress is below "
+       "5 % of the load asked for",
+       note}};
 }
 
 }  // namespace
@@ -56,17 +99,13 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
   Rows middle;
   for (const HistoryRow& r : analysis::first_passage(branch, {0.4, 0.6})) middle.push_back(&r);
   const double tau_residual = mean(residual, &HistoryRow::axial_stress);
-  return {
+  std::vector<Number> out = {
       {"tau_peak", branch.peaked ? branch.largest : nan, "Pa",
        "largest shear stress (mean of both boxes over the initial width)", note},
       {"u_peak", branch.peaked ? branch.strain : nan, "m", "shear displacement at the largest shear stress",
        note},
       {"tau_residual", tau_residual, "Pa",
        "mean shear stress over the last quarter of the shear displacement", note},
-      {"sigma_n", mean(rising, &HistoryRow::lateral_stress), "Pa", "mean normal stress up to the peak", note},
-      {"sigma_n_error", load_error(rising, load), "1",
-       "largest relative deviation of the normal stress from the load asked for, up to the peak",
-       load.stress > 0.0 ? note : "no normal stress"},
       {"K_s", slope(middle, &HistoryRow::axial_stress), "Pa/m",
        "slope of shear stress over shear displacement between 40 and 60 % of tau_peak", note},
       {"mu_residual", tau_residual / mean(residual, &HistoryRow::lateral_stress), "1",
@@ -75,6 +114,11 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
       {"dilation", -std::atan(slope(sliding, &HistoryRow::lateral_strain)) * 180.0 / std::numbers::pi, "deg",
        "angle of dilation: opening over shear displacement in the second half of the sliding after the peak",
        note}};
+  // Both end with the test, so that the longer one holds the other.
+  const Rows& behind = residual.size() > sliding.size() ? residual : sliding;
+  const std::vector<Number> kept = load_numbers(rising, residual, behind, load, note);
+  out.insert(out.begin() + 3, kept.begin(), kept.end());
+  return out;
 }
 
 std::vector<Number> shear_numbers(const History& history, const std::vector<CrackEvent>& cracks,

@@ -5,6 +5,9 @@
 //   sigma_n            mean normal stress up to the peak
 //   sigma_n_error      its largest relative deviation from the normal load asked for, from the start to the
 //                      peak
+//   sigma_n_error_rms  root mean square of that deviation; and _residual: over the last quarter
+//   box_lifted         share of the rows that tau_residual or dilation is read from in which the boxes hardly
+//                      touch: a normal stress below 5 % of the load asked for
 //   K_s                slope of shear stress over shear displacement between 40 and 60 % of tau_peak
 //   mu_residual        tau_residual over the mean normal stress there
 //   dilation           angle of dilation: slope of opening over shear displacement in the second half of the
