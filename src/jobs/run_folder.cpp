@@ -102,9 +102,10 @@ std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
   };
   const auto problem = [&](const char* what) {
     const char* own_name = own == PageOf::run ? "a run" : own == PageOf::study ? "a study" : "a calibration";
-    return option_problem("out", folder, "",
-                          fmt::format("it holds {}, and {} would overwrite its report.html. Choose another {}",
-                                      what, own_name, option("out")));
+    return option_problem(
+        "out", folder, "",
+        fmt::format("it holds {}, and {} would overwrite its report.html. Choose another {}", what, own_name,
+                    option("out")));
   };
   if (own != PageOf::calibration && (has("calibration.json") || has("calibration-of.txt")))
     return problem("a calibration");
