@@ -46,8 +46,8 @@ constexpr std::pair<const char*, const char*> layouts[] = {
 constexpr const char* columns_head = R"(
 ## Columns
 
-Names are compared without case, blanks and signs. Greek letters are their names. Of every value `..._sd` is the
-standard deviation of single specimens. `[columns]` in the rock file goes before every name of this list.
+Names are compared without case, blanks and signs. Greek letters are their names. Of every value `..._sd` is
+the standard deviation of single specimens. `[columns]` in the rock file goes before every name of this list.
 
 | column | unit | meaning | also read |
 |---|---|---|---|
@@ -59,8 +59,8 @@ E_t and E_tan are tangents at half of UCS, E_s and E_sec secants there, E_av ave
 ## Units
 
 The same units are read in tables, recipes, curves, on the page and in Python. Case, blanks, dots and
-superscripts do not matter. A power of ten may stand in front: `x10^4 MPa`, `10⁵ Pa`. Values are converted, and
-the check says so.
+superscripts do not matter. A power of ten may stand in front: `x10^4 MPa`, `10⁵ Pa`. Values are converted,
+and the check says so.
 
 | quantity | unit | also read | one of it is |
 |---|---|---|---|
