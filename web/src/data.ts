@@ -105,7 +105,7 @@ export interface Rose {
 /** What speaks against a test (result.json, "quality"). */
 export interface Quality {
   grade: string; // good, warning, untrusted
-  marks: { number: string; value: number; limit: number; grade: string; says: string; advice: string }[];
+  marks: { number: string; value: number; limit: number; grade: string; says: string; advice: string; of?: string[] }[];
 }
 
 interface RawTest {

@@ -442,9 +442,10 @@ function cell(t: Test, c: Column): HTMLElement {
   const n = t.numbers[c.name];
   const known = n && n.value !== null;
   const bound = known && n.note?.startsWith("below") ? "<" : "";
-  const reservation = known && !bound && n.note && (c.name === "bts" || c.name === "sigma_t") ? "*" : "";
+  const doubted = t.quality.marks.find((m) => m.of?.includes(c.name));
+  const reservation = known && !bound && (doubted || (n.note && (c.name === "bts" || c.name === "sigma_t"))) ? "*" : "";
   const td = h("td", { "data-number": c.name }, known ? bound + (n.value! * c.factor).toFixed(c.digits) + reservation : "–");
-  if (n?.note) td.title = n.note;
+  if (n?.note || doubted) td.title = n?.note || doubted!.says;
   return td;
 }
 
