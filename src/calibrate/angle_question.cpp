@@ -245,15 +245,17 @@ std::string misses_in_words(const std::vector<AngleEvidence>& some, bool complem
 }
 
 /// "UCS seems to be counted from the load, E and BTS from the horizontal ..."
-std::string text_of_some(const std::vector<AngleEvidence>& apart, const std::vector<AngleEvidence>& others) {
+std::string text_of_some(const std::vector<AngleEvidence>& apart, const std::vector<AngleEvidence>& others,
+                         bool beta) {
   const std::string names = names_of(apart);
   const bool one = apart.size() == 1;
   return fmt::format(
-      "{} {} to be counted from the load, {} from the horizontal (in a column beta: the reverse). With "
-      "theta = 90 - angle, planes miss {}. As written they miss {}. Give {} rows of {} own with 90 - angle, "
-      "or keep the table and ignore this.",
-      names, one ? "seems" : "seem", names_of(others), misses_in_words(apart, true),
-      misses_in_words(others, false), names, one ? "its" : "their");
+      "{} {} to be counted from {}, {} from {}. With 90 - angle planes miss {}. As written they miss {}. "
+      "Give {} rows "
+      "of {} own with 90 - angle, or keep the table and ignore this.",
+      names, one ? "seems" : "seem", beta ? "the horizontal" : "the load", names_of(others),
+      beta ? "the load" : "the horizontal", misses_in_words(apart, true), misses_in_words(others, false),
+      names, one ? "its" : "their");
 }
 
 }  // namespace
@@ -263,14 +265,16 @@ bool AngleQuestion::of_whole_table() const {
                      [](const AngleEvidence& e) { return e.exchanged; });
 }
 
-std::string text_of(const AngleQuestion& question) {
+std::string text_of(const AngleQuestion& question, bool beta) {
   if (question.of_whole_table())
-    return "These angles look like beta. With theta = 90 - angle, planes miss " +
-           misses_in_words(question.properties, true) +
-           ". Rename the column to beta (a column beta: to theta), or keep it and ignore this.";
+    return fmt::format(
+        "These angles look like {0}. With {1} = 90 - angle, planes miss {2}. Rename the column to {0}, or "
+        "keep "
+        "it and ignore this.",
+        beta ? "theta" : "beta", beta ? "beta" : "theta", misses_in_words(question.properties, true));
   std::vector<AngleEvidence> apart, others;
   for (const AngleEvidence& e : question.properties) (e.exchanged ? apart : others).push_back(e);
-  return text_of_some(apart, others);
+  return text_of_some(apart, others, beta);
 }
 
 }  // namespace phy::calibrate

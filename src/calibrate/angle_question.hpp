@@ -42,7 +42,8 @@ struct AngleQuestion {
 
 std::optional<AngleQuestion> angle_question(const std::vector<Target>& targets);
 
-/// The question with what speaks, the misses both ways and what to do.
-std::string text_of(const AngleQuestion& question);
+/// The question with what speaks, the misses both ways and what to do; `beta`: the table counts from the
+/// load.
+std::string text_of(const AngleQuestion& question, bool beta);
 
 }  // namespace phy::calibrate

@@ -69,22 +69,26 @@ TEST(AngleQuestion, AllColumnsReversedAreAskedWithOrWithoutE) {
   EXPECT_THAT(apart(exchanged(table(seven, {UCS, BTS}))), ElementsAre("UCS", "BTS"));
   EXPECT_THAT(apart(exchanged(table(seven, {UCS}, 3))), ElementsAre("UCS"));
   EXPECT_THAT(apart(exchanged(table(seven, {BTS}))), ElementsAre("BTS"));
-  const std::string text = text_of(*angle_question(exchanged(table(seven, {E, UCS, BTS}))));
+  const std::string text = text_of(*angle_question(exchanged(table(seven, {E, UCS, BTS}))), false);
   EXPECT_THAT(text,
               AllOf(StartsWith("These angles look like beta. With theta = 90 - angle, planes miss E by 1 "
                                "instead of 15 %, UCS by 5 instead of 15 % and BTS by "),
-                    EndsWith(" %. Rename the column to beta (a column beta: to theta), or keep it and "
-                             "ignore this.")));
+                    EndsWith(" %. Rename the column to beta, or keep it and ignore this.")));
+  EXPECT_THAT(text_of(*angle_question(exchanged(table(seven, {E, UCS, BTS}))), true),
+              AllOf(StartsWith("These angles look like theta. With beta = 90 - angle"),
+                    HasSubstr("Rename the column to theta")));
 }
 
 TEST(AngleQuestion, OneColumnThatCountsOtherwiseIsNamedWithTheOthers) {
   const auto targets = table(seven, {E, UCS_from_load, BTS});
   EXPECT_THAT(apart(targets), ElementsAre("UCS"));
   EXPECT_THAT(
-      text_of(*angle_question(targets)),
+      text_of(*angle_question(targets), false),
       AllOf(StartsWith("UCS seems to be counted from the load, E and BTS from the horizontal"),
             HasSubstr("planes miss UCS by 5 instead of 15 %. As written they miss E by 1 instead of 15 %"),
             HasSubstr("Give UCS rows of its own"), Not(HasSubstr("These angles"))));
+  EXPECT_THAT(text_of(*angle_question(targets), true),
+              StartsWith("UCS seems to be counted from the horizontal, E and BTS from the load"));
 }
 
 // One of the two: an augen gneiss, means of two to five specimens.

@@ -285,9 +285,11 @@ std::string farthest_rows(const Forecast& f) {
 }
 
 std::string outcome(const Forecast& f) {
+  const std::string rows = farthest_rows(f);
   switch (f.status) {
-    case VerdictStatus::out_of_reach: return "out of reach; farthest off " + farthest_rows(f);
-    case VerdictStatus::calibrated_except: return "calibrated except for values like " + farthest_rows(f);
+    case VerdictStatus::out_of_reach: return "out of reach" + (rows.empty() ? "" : "; farthest off " + rows);
+    case VerdictStatus::calibrated_except:
+      return rows.empty() ? "calibrated with exceptions" : "calibrated except for values like " + rows;
     case VerdictStatus::not_resolved: return "not resolved: met, but by too few specimens to tell";
     case VerdictStatus::calibrated:
     case VerdictStatus::interrupted: break;

@@ -39,7 +39,7 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   jobs::SpecimenFolder specimens(args.out);
   machine.gallery = &specimens;
   if (const auto question = calibrate::angle_question(evidence.targets))
-    print_wrapped(width, 2, "{}\n\n", calibrate::text_of(*question));
+    print_wrapped(width, 2, "{}\n\n", calibrate::text_of(*question, evidence.rock.counts_from_load));
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   print_notes(rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, width));

@@ -88,7 +88,8 @@ const std::vector<Known>& known_columns() {
        C::n,
        P::E,
        "specimens behind the row",
-       {"number of specimens", "number of tests", "number of samples"}},
+       {"number of specimens", "number of tests", "number of samples", "no. of specimens", "no. of samples",
+        "no. of tests", "n specimens", "n samples", "n tests"}},
       {"diameter",
        C::diameter,
        P::E,
@@ -351,7 +352,9 @@ std::vector<std::string> readings_of(const std::string& title) {
   std::vector<std::string> all = {title};
   const std::size_t open = title.find_first_of("[("), close = title.find_first_of("])", open);
   if (open == title.npos || close == title.npos) return all;
-  const std::string inside = title.substr(open + 1, close - open - 1);
+  const std::string inside = title.substr(open + 1, close - open - 1), before = key_of(title.substr(0, open));
+  if (contains(std::array{"log", "log10", "lg", "ln", "sqrt", "exp", "f", "sin", "cos", "tan"}, before))
+    return all;
   const std::size_t letters = static_cast<std::size_t>(std::count_if(
       inside.begin(), inside.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
   if (letters <= 2 || is_name(key_of(inside))) all.push_back(title.substr(0, open) + title.substr(close + 1));
@@ -520,7 +523,11 @@ void speak(Head& h) {
       std::any_of(words.begin(), words.end(), [](const auto& word) { return contains(other_words, word); });
   h.speaks_of_angles = unit_word(h.title) == "deg" || (!of_else && holds_any(key, angle_words));
   h.speaks_of_directions = h.speaks_of_angles || holds_any(key, direction_words);
-  h.speaks_of_values = !of_else && holds_any(key, value_words);
+  const bool named = std::any_of(words.begin(), words.end(), [](const auto& word) {
+    Head one;
+    return word.size() > 1 && take_name(word, one) && one.kind == Column::value;
+  });
+  h.speaks_of_values = !of_else && (named || holds_any(key, value_words));
 }
 
 }  // namespace
@@ -534,6 +541,10 @@ Head head_of(const std::string& cell, const std::string& meant) {
     return h;
   }
   const std::string said = meant.empty() ? h.title : meant;
+  if (meant.empty() && (h.title.starts_with('-') || h.title.starts_with('|'))) {  // the negative, the amount
+    speak(h);
+    return h;
+  }
   for (const std::string& reading : readings_of(said))
     if (h.kind == Column::other) take_reading(key_of(reading), h);
   if (h.kind == Column::other) take_angle(said, h);
@@ -541,31 +552,43 @@ Head head_of(const std::string& cell, const std::string& meant) {
   if (h.kind == Column::other && !h.summary) take_replicate(said, h);
   if (h.kind == Column::other && h.unit.empty()) take_odd_unit(said, h);
   h.summary = h.summary || is_summary(h.title);
+  // Which modulus it is the header says, also where the user says that it is E.
+  if (!meant.empty() && h.name == "E" && h.kind == Column::value) h.E_is = head_of(cell).E_is;
   if (h.kind == Column::other) speak(h);
   h.own = said.size() == h.name.size() && key_of(said) == key_of(h.name);
   return h;
 }
 
-std::optional<bool> names_an_axis(const std::string& header) {
-  const std::string key = key_of(header);
-  if (holds_any(key, std::array{"bedding", "foliation", "layer", "schist", "cleavage", "laminat", "strat",
-                                "schicht", "层理"}))
-    return false;
-  if (holds_any(key, std::array{"load", "plug", "core", "coring", "drill", "axis"})) return true;
-  return {};
+namespace {
+
+/// Does a header name the axis of a plug or of the load, or the layers? Nothing: neither or both.
+std::optional<bool> names_an_axis(const std::string& key) {
+  const bool layers = holds_any(key, std::array{"bedding", "foliation", "layer", "schist", "cleavage",
+                                                "laminat", "strat", "schicht", "层理"});
+  const bool axis = holds_any(key, std::array{"load", "plug", "core", "coring", "drill", "axis"});
+  if (layers == axis) return {};
+  return axis;
 }
 
-std::optional<double> direction_in_words(const std::string& cell, std::optional<bool> of_axis) {
-  const std::string key = lower_case(cell);
+/// "Parallel to the normal of bedding" is across it, and no word says so alone.
+bool names_a_normal(const std::string& key) {
+  return holds_any(key, std::array{"pole", "symmetr", "normal"});
+}
+
+}  // namespace
+
+std::optional<double> direction_in_words(const std::string& cell, const std::string& header) {
+  const std::string key = lower_case(cell), head = lower_case(header);
   // "30° to parallel", "not parallel", "sub-parallel" say something else.
   if (holds_any(key, std::array{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "not ", "sub", "near",
                                 "oblique"}))
     return {};
   const bool along = holds_any(key, std::array{"parall", "paral", "∥", "||", "//", "параллел", "平行"});
-  const bool across =
-      holds_any(key, std::array{"perpend", "normal to", "⊥", "_|_", "senkrecht", "перпенд", "垂直"}) ||
-      key == "normal" || key == "perp" || key == "perp.";
-  if (along != across) return along ? 90.0 : 0.0;
+  const bool across = holds_any(key, std::array{"perpend", "⊥", "_|_", "senkrecht", "перпенд", "垂直"});
+  if (names_a_normal(head) || ((along || across) && names_a_normal(key))) return {};
+  const bool normal = key.starts_with("normal to") || key == "normal" || key == "perp" || key == "perp.";
+  if (along != (across || normal)) return along ? 90.0 : 0.0;
+  const std::optional<bool> of_axis = names_an_axis(head);
   if (along || !of_axis || !is_upright_or_flat(cell)) return {};
   return key.starts_with('v') != *of_axis ? 90.0 : 0.0;
 }
@@ -609,7 +632,8 @@ bool is_summary(const std::string& cell) {
   return contains(words, key_of(cell));
 }
 
-bool is_scatter(const std::string& cell) {
+bool is_scatter(const std::string& header) {
+  const std::string cell = header.starts_with("±") ? header.substr(std::string_view("±").size()) : header;
   constexpr std::array words = {
       "sd", "std", "stdev", "stddev", "standarddeviation", "stabw", "standardabweichung"};
   return contains(words, key_of(cell));
@@ -631,6 +655,20 @@ bool begins_summary(const std::string& cell) {
 }
 
 std::string title_of(const std::string& cell) { return split_head(cell).first; }
+
+bool has_factor(const std::string& title) {
+  for (std::size_t at = title.find("10"); at != title.npos; at = title.find("10", at + 1)) {
+    const std::string before = bare(title.substr(0, at));
+    const std::string_view behind = std::string_view(title).substr(at + 2);
+    if (before.ends_with('x') || before.ends_with('X') || before.ends_with('*') || before.ends_with("×") ||
+        before.ends_with("·"))
+      return true;
+    if (behind.starts_with('^') || behind.starts_with("⁻") || behind.starts_with("³") ||
+        behind.starts_with("⁴"))
+      return true;
+  }
+  return false;
+}
 
 std::string unit_of_cell(const std::string& cell) {
   if (std::string word = unit_word(cell); !word.empty()) return word;

@@ -56,12 +56,10 @@ Head head_of(const std::string& cell, const std::string& meant = {});
 Dimension dimension_of(const Head& head);
 /// The unit that examples of a column are written in: "GPa" of E.
 std::string usual_unit(const Head& head);
-/// The inclination that words of a cell mean [deg]: 90 where the layers are parallel to the load, 0 where
-/// they are perpendicular. V and H say it of the layers, or of the axis of a plug in layers that lie flat
-/// (`of_axis`); nothing where that is not known.
-std::optional<double> direction_in_words(const std::string& cell, std::optional<bool> of_axis);
-/// Does a header name the axis of a plug or of the load, or the layers? Nothing: neither.
-std::optional<bool> names_an_axis(const std::string& header);
+/// The inclination that words of a cell below a header mean [deg]: 90 where the layers are parallel to the
+/// load, 0 where they are perpendicular. V and H say it of the layers, or of the axis of a plug in layers
+/// that lie flat; nothing where the header does not say which.
+std::optional<double> direction_in_words(const std::string& cell, const std::string& header);
 /// "V", "H", "vertical", "horizontal".
 bool is_upright_or_flat(const std::string& cell);
 /// A cell without its degree sign, "30°"; nothing where it has none.
@@ -69,6 +67,8 @@ std::optional<std::string> without_degree_sign(const std::string& cell);
 
 /// The header without its unit.
 std::string title_of(const std::string& cell);
+/// Does a title hold a power of ten, "E×10³"?
+bool has_factor(const std::string& title);
 /// A unit as cells below a header give it, "[MPa]" or "MPa", as the program reads it; "" where it is none.
 std::string unit_of_cell(const std::string& cell);
 /// Does a cell say that its row is no specimen, "Mean" or "SD"?

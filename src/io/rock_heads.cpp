@@ -46,6 +46,7 @@ class HeadsReader {
     take_row_of_units();
     take_degree_signs();
     settle_replicates();
+    take_units_of_values();
     check_names();
     check_combinations();
     tell();
@@ -111,7 +112,9 @@ class HeadsReader {
       if (meant != nullptr) {
         used.insert(meant->first);
         if (h.replicate.empty()) said.insert(h.name);
-        if (const std::string unit = head_of(meant->first).unit; !unit.empty()) h.unit = unit;
+        const std::string unit = head_of(meant->first).unit;
+        if (!unit.empty()) h.unit = unit;
+        if (is_read(h) && has_factor(titles_[i]) && !unit.starts_with("10^")) ask_for_factor(i, h);
       }
       heads_.all.push_back(std::move(h));
     }
@@ -128,6 +131,13 @@ class HeadsReader {
                        fmt::format("it has: {}", fmt::join(table_.header, ", ")));
   }
 
+  void ask_for_factor(std::size_t i, const Head& h) {
+    report_problem(header(i), "", "a unit with the factor of the header",
+                   fmt::format("write in the rock file for example: [columns] {} = \"{}\"",
+                               toml_string(fmt::format("{} [10^3 {}]", titles_[i],
+                                                       h.unit.empty() ? usual_unit(h) : h.unit)),
+                               h.name));
+  }
   /// Columns of values to which the user gives one name are specimens side by side; so is one beside such
   /// columns.
   void mark_replicates(const std::vector<bool>& by_user) {
@@ -192,10 +202,7 @@ class HeadsReader {
       Head& h = heads_.all[i];
       const bool angle = h.kind == Column::theta || h.kind == Column::beta;
       if (!angle || !h.unit.empty()) continue;
-      const auto in_words = [&](const std::string& cell) {
-        return direction_in_words(cell, names_an_axis(header(i))).has_value();
-      };
-      if (all_cells(i, [&](const auto& cell) { return without_degree_sign(cell) || in_words(cell); }))
+      if (!any_cell(i, is_number) && any_cell(i, [&](const auto& cell) { return is_direction(cell, i); }))
         h.unit = "deg";
     }
   }
@@ -228,11 +235,7 @@ class HeadsReader {
         return std::any_of(columns.begin(), columns.end(),
                            [&](std::size_t k) { return heads_.all[k].replicate == mark; });
       };
-      h.replicate = has("1") ? "0" : "1";
-      if (h.replicate == "0" || has("2"))
-        columns.push_back(i);
-      else
-        h.replicate.clear();
+      if (!has("1") && has("2")) h.replicate = "1", columns.push_back(i);
     }
   }
   void take_replicates(const std::string& name, const std::vector<std::size_t>& columns) {
@@ -261,6 +264,14 @@ class HeadsReader {
     Head& h = heads_.all[i];
     h.kind = Column::scatter, h.property = value.property, h.name = value.name + "_sd";
     if (h.unit.empty()) h.unit = value.unit;
+  }
+
+  /// A standard deviation without a unit has the unit of its values.
+  void take_units_of_values() {
+    for (Head& h : heads_.all)
+      if (const auto value = heads_.find(Column::value, h.property);
+          h.kind == Column::scatter && h.unit.empty() && value && base_title(h) == h.title)
+        h.unit = heads_.all[*value].unit;
   }
 
   void check_names() {
@@ -301,11 +312,11 @@ class HeadsReader {
     bool factor = false, direction = false;
     for (const std::string& name : unknown_) {
       lines += (lines.empty() ? "" : ", ") + toml_string(name) + " = \"...\"";
-      factor = factor || name.find("10") != name.npos;
-      direction = direction || name.find("°") != name.npos || direction_in_words(name, std::nullopt);
+      factor = factor || has_factor(title_of(name));
+      direction = direction || title_of(name).ends_with("°") || direction_in_words(name, "");
     }
     std::string more;
-    if (factor) more += "; a factor goes into the unit: \"E [10^3 MPa]\" = \"E\"";
+    if (factor) more += "; a factor goes into the unit, as in \"E×10³ [10^3 MPa]\" = \"E\"";
     if (direction) more += "; where the header says the direction, give one row per angle and a column theta";
     report_problem(
         quoted(unknown_), "",
@@ -339,7 +350,7 @@ class HeadsReader {
       passed_.push_back(header(i));
   }
   bool is_direction(const std::string& cell, std::size_t column) const {
-    return without_degree_sign(cell) || direction_in_words(cell, names_an_axis(header(column)));
+    return without_degree_sign(cell) || direction_in_words(cell, header(column));
   }
   /// Numbers below a word of angles; of a table without angles also "parallel" and "30°" below any header.
   bool may_be_angle(std::size_t i) const {
@@ -349,6 +360,7 @@ class HeadsReader {
       return false;
     const auto is_angle = [&](const auto& cell) { return is_number(cell) || is_direction(cell, i); };
     if (h.speaks_of_angles && (!h.unit.empty() || any_cell(i, is_angle))) return true;
+    if (needs_angles() && !h.unit.empty()) return true;
     if (!needs_angles() || !any_cell(i, is_angle)) return false;
     return h.speaks_of_directions || (!all_cells(i, is_number) && all_cells(i, is_angle));
   }
@@ -366,10 +378,14 @@ class HeadsReader {
   }
   void ask_for_angle(std::size_t i) {
     heads_.asked_for_angles = true;
+    if (heads_.has_angles())
+      return report_problem(
+          header(i), "", "one column of angles",
+          fmt::format("the angles of the layers are read from another; leave this one out: [columns] {} = "
+                      "\"-\", or the other",
+                      toml_string(header(i))));
     const std::string words = meaning_of_words(i);
-    const auto is_word = [&](const auto& cell) {
-      return direction_in_words(cell, names_an_axis(header(i))).has_value();
-    };
+    const auto is_word = [&](const auto& cell) { return direction_in_words(cell, header(i)).has_value(); };
     if (all_cells(i, is_word))
       return report_problem(
           header(i), "", "an angle that says from where it counts",
@@ -402,7 +418,7 @@ class HeadsReader {
     std::vector<std::string> meanings;
     std::set<std::string> seen;
     for (const std::string& cell : cells_of(i))
-      if (const auto theta = direction_in_words(cell, names_an_axis(header(i)));
+      if (const auto theta = direction_in_words(cell, header(i));
           theta && seen.insert(cell).second && meanings.size() < most_examples)
         meanings.push_back(fmt::format("\"{}\" counts as theta = {:g} deg", cell, *theta));
     return fmt::format("{}", fmt::join(meanings, ", "));
@@ -494,11 +510,16 @@ class HeadsReader {
                               Column::most_confining};
     const auto n = std::count_if(std::begin(columns), std::end(columns),
                                  [&](Column c) { return heads_.find(c).has_value(); });
-    if (n != 0 && n != 4)
-      report_problem(
-          "c, phi", "", "the columns c, phi, confining_min and confining_max together",
-          "an envelope is read as strengths, and only inside the pressures that were tested; to do without: "
-          "[columns] \"c\" = \"-\", \"phi\" = \"-\"");
+    if (n == 0 || n == 4) return;
+    std::string lines;
+    for (const Column c : columns)
+      if (const auto i = heads_.find(c))
+        lines += (lines.empty() ? "" : ", ") + toml_string(header(*i)) + " = \"-\"";
+    report_problem(
+        "c, phi", "", "the columns c, phi, confining_min and confining_max together",
+        "an envelope is read as strengths, and only inside the pressures that were tested; to do without: "
+        "[columns] " +
+            lines);
   }
 
   void tell() {
@@ -511,7 +532,7 @@ class HeadsReader {
     note("columns by other names: {} ([columns] in the rock file changes that)", named_);
     for (std::size_t i = 0; i < heads_.all.size(); ++i)
       if (heads_.all[i].kind == Column::theta || heads_.all[i].kind == Column::beta)
-        if (const std::string words = meaning_of_words(i); !words.empty())
+        if (const std::string words = meaning_of_words(i); !words.empty() && keys_.bedded != false)
           notes_.push_back("directions: " + words);
     note("specimens side by side: {}", replicates_);
     note("set aside, since the specimens themselves are read: {}", set_aside_);

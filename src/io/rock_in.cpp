@@ -436,6 +436,7 @@ class RockReader {
     if (!readings) return;
     rock_.readings = std::move(readings->values);
     const bool has_angles = readings->bedded;
+    rock_.counts_from_load = readings->counts_from_load;
     settle_E_is(*readings);
     // A column of angles means bedding, unless the file says otherwise.
     rock_.bedded = file_.number("bedded", has_angles ? 1.0 : 0.0) == 1.0;
@@ -457,6 +458,7 @@ class RockReader {
                                "the table has no angles, or bedded = false: leave it out"});
       for (RockReading& r : rock_.readings) r.theta = 0.0;
       rock_.notes.emplace_back("a rock without bedding");
+      if (has_angles) rock_.notes.emplace_back("the angles of the table are not used, since bedded = false");
     } else if (!is_given("bedding.spacing") && !(is_given("recipe") && has_layers_) &&
                rock_.layers != LayerModel::directions) {
       rock_.notes.push_back(
@@ -531,8 +533,7 @@ class RockReader {
                                                  : "all cells are empty: fill in the table"});
     else if (rock_.bedded && angles.size() < least_angles)
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
-                           "at least three angles for a bedded rock",
-                           "test 0, 45 and 90 degrees; or write bedded = false"});
+                           "at least three angles for a bedded rock", "test 0, 45 and 90 degrees"});
     if (initiation) rock_.notes.emplace_back("sigma_ci under confining pressure is kept, not fitted");
     if (tension) rock_.notes.emplace_back("tensile strengths under confining pressure are kept, not fitted");
     if (rock_.reading == ElasticReading::plane_strain && E && !nu)

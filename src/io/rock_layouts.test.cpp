@@ -84,9 +84,7 @@ TEST_F(Layouts, AColumnThatSpeaksOfADirectionIsNeverLeftOut) {
 TEST_F(Layouts, UprightAndFlatAreThoseOfTheLayersOrOfThePlug) {
   const std::string rows = ",UCS [MPa]\nV,88\nH,80\n45,41\n";
   EXPECT_EQ(rock("Bedding" + rows, "[columns]\n\"Bedding [deg]\" = \"theta\"\n").readings[0].theta, 90.0);
-  EXPECT_EQ(
-      rock("Bedding in core" + rows, "[columns]\n\"Bedding in core [deg]\" = \"theta\"\n").readings[0].theta,
-      90.0);
+  expect_asked("Bedding in core" + rows, "is it theta");  // whose V and H?
   EXPECT_EQ(rock("Plug" + rows, "[columns]\n\"Plug [deg]\" = \"theta\"\n").readings[0].theta, 0.0);
 }
 
@@ -252,6 +250,45 @@ TEST_F(Layouts, FactorsAndQualifiersOfAHeaderAreNotLost) {
     EXPECT_THAT(values(rock("theta [deg]," + std::string(header) + "\n0,20\n45,22\n90,30\n"), Property::ucs),
                 SizeIs(3))
         << header;
+}
+
+// Along the normal of the layers is across them.
+TEST_F(Layouts, WordsOfNormalsAndFunctionsOfAValueAreNotRead) {
+  expect_asked("Direction of loading,UCS [MPa]\nparallel to bedding normal,80\n45°,42\n∥ to pole,88\n",
+               "from where it counts");
+  EXPECT_THAT(problems("Direction of loading,UCS [MPa]\nparallel to bedding normal,80\n45°,42\n90°,88\n",
+                       "[columns]\n\"Direction of loading\" = \"theta\"\n"),
+              Contains(HasSubstr("r.csv:2: Direction of loading")));
+  EXPECT_EQ(rock("Loading,UCS [MPa]\nnormal to bedding,80\n45°,42\nparallel,88\n",
+                 "[columns]\nLoading = \"theta\"\n")
+                .readings[0]
+                .theta,
+            0.0);
+  for (const char* header : {"log10(UCS) [MPa]", "sqrt(UCS) [MPa]", "-UCS [MPa]", "UCS (MPa)*10"})
+    expect_asked("theta [deg],E [GPa]," + std::string(header) + "\n0,20,8\n45,21,4\n90,22,9\n",
+                 "a known column");
+  EXPECT_THAT(
+      problems("theta [deg],UCS (MPa)*10\n0,8\n45,4\n90,9\n", "[columns]\n\"UCS (MPa)*10\" = \"UCS\"\n"),
+      Contains(HasSubstr("[10^3 MPa]\" = \"UCS\"")));
+}
+
+TEST_F(Layouts, AnAnswerKeepsWhatTheHeaderSays) {
+  EXPECT_EQ(rock("theta [deg],E [GPa],Ed [GPa]\n0,20,30\n45,22,31\n90,30,41\n",
+                 "[columns]\nEd = \"E\"\nE = \"-\"\n")
+                .E_is,
+            ModulusReading::small_strain);
+  // A second column of angles cannot be theta too.
+  expect_asked("theta [deg],Angle [deg],UCS [MPa]\n0,30,80\n45,40,42\n90,50,88\n", "leave this one out");
+  // The bare name beside numbered ones may be their mean.
+  EXPECT_THAT(problems("theta [deg],UCS1 [MPa],UCS2 [MPa],UCS [MPa]\n0,80,82,81\n45,42,44,43\n90,88,90,89\n"),
+              SizeIs(1));
+  const std::string envelope =
+      "theta [deg],UCS [MPa],cohesion [MPa],friction angle [deg]\n0,80,20,30\n45,42,10,30\n90,88,20,30\n";
+  expect_asked(envelope, "\"cohesion [MPa]\" = \"-\", \"friction angle [deg]\" = \"-\"");
+  EXPECT_THAT(problems(envelope, "[columns]\n\"cohesion [MPa]\" = \"-\"\n\"friction angle [deg]\" = \"-\"\n"),
+              IsEmpty());
+  EXPECT_EQ(
+      rock("theta [deg],No. of specimens,UCS [MPa],± SD\n0,4,80,3\n45,5,42,3\n90,6,88,3\n").readings[0].n, 4);
 }
 
 TEST_F(Layouts, ACellWithANumberIsNoWord) {

@@ -99,7 +99,12 @@ class ReadingReader {
                       "means of {}, "
                       "the fewest that have one",
                       n_assumed_, readings_.size(), least_with_sd));
-    Readings made{std::move(readings_), heads_.has_angles(), heads_.asked_for_angles, {}, {}};
+    Readings made{std::move(readings_),
+                  heads_.has_angles(),
+                  heads_.find(Column::beta).has_value(),
+                  heads_.asked_for_angles,
+                  {},
+                  {}};
     if (const auto E = find(Column::value, Property::E))
       made.E_is = heads_.all[*E].E_is, made.E_title = heads_.all[*E].title;
     return made;
@@ -142,7 +147,7 @@ class ReadingReader {
       return true;
     }
     if (angle)
-      if (const auto theta = direction_in_words(row.cells[column], names_an_axis(table_.header[column])))
+      if (const auto theta = direction_in_words(row.cells[column], table_.header[column]))
         return value = h.kind == Column::theta ? *theta : 90.0 - *theta, true;
     const std::string cell = angle && h.unit == "deg"
                                  ? without_degree_sign(row.cells[column]).value_or(row.cells[column])
@@ -247,10 +252,10 @@ class ReadingReader {
     const double angle = v[theta ? *theta : *beta];
     r.theta = theta ? angle : 90.0 - angle;
     if (!good || std::isfinite(angle)) return good;
-    problems_.push_back(
-        {at(r.line), theta ? "theta" : "beta", "", "an angle in every row",
-         "give the layers of this specimen an angle; a row without any (massive rock, not measured) goes "
-         "out of the table, or behind a # at its beginning"});
+    problems_.push_back({at(r.line), theta ? "theta" : "beta", "", "an angle in every row",
+                         "give the layers of this specimen an angle, that of the row above again where it is "
+                         "the same; a row without any goes "
+                         "out of the table, or behind a # at its beginning"});
     return false;
   }
   /// Only the ordinary triaxial test has one pressure around the specimen.

@@ -14,6 +14,7 @@ namespace phy::io {
 struct Readings {
   std::vector<RockReading> values;
   bool bedded = false;                 ///< there is a column of angles
+  bool counts_from_load = false;       ///< they are beta
   bool asked_for_angles = false;       ///< a column may hold them: that is among the problems
   std::optional<ModulusReading> E_is;  ///< what the header of E says
   std::string E_title;                 ///< that header

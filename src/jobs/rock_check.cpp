@@ -23,7 +23,7 @@ namespace {
 std::vector<std::string> doubts_about(const calibrate::Evidence& evidence) {
   std::vector<std::string> doubts;
   if (const auto question = calibrate::angle_question(evidence.targets))
-    doubts.push_back(calibrate::text_of(*question));
+    doubts.push_back(calibrate::text_of(*question, evidence.rock.counts_from_load));
   for (auto more : {warnings_about(evidence.rock), calibrate::outlying_specimens(evidence.rock),
                     calibrate::outlying_cells(evidence.targets)})
     doubts.insert(doubts.end(), more.begin(), more.end());

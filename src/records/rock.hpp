@@ -96,6 +96,7 @@ struct Target {
 struct Rock {
   std::string name;
   bool bedded = true;
+  bool counts_from_load = false;  ///< the table's angles are beta; `theta` of the readings is 90 - beta
   ElasticReading reading = ElasticReading::plane_stress;
   ModulusReading E_is = ModulusReading::small_strain;
   LayerModel layers = LayerModel::planes;

@@ -182,8 +182,8 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
     c.fitted = rows_of(j.at("fitted")), c.verification = rows_of(j.at("verification"));
     c.left_out = rows_of(j.at("left_out"));
   } catch (const std::exception& e) {
-    throw InputError(
-        Problem{file, "", "", fmt::format("a calibration of format {}", calibration_format), e.what()});
+    throw InputError(Problem{file, "", "", fmt::format("a calibration of format {}", calibration_format),
+                             io::in_words(e)});
   }
   return c;
 }
