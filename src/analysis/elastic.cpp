@@ -90,6 +90,7 @@ Number tangent_modulus(const LoadingBranch& branch, StressRange range, StrainFro
           branch.stress, place_of(branch, from), range_text(range), branch.strength, branch.turn()),
       ""};
   fit(branch, range, axial_strain_of(from), &HistoryRow::axial_stress, n);
+  if (n.value <= 0.0) n.value = nan, n.note = "the strain falls in this range: no modulus is read";
   return n;
 }
 

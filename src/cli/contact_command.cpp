@@ -77,7 +77,7 @@ void contact(const ContactArguments& args, int width) {
   if (!args.path.empty()) corners = jobs::read_path(args.path, problems);
   if (!problems.empty()) throw InputError(problems);
   if (corners.empty()) corners = jobs::default_path();
-  if (!args.out.empty()) io::check_outputs({args.out});
+  if (!args.out.empty()) io::check_ending(args.out, {".csv", ".txt"}), io::check_outputs({args.out});
   const auto bench = lab::bench_contact(law.name, v);
   const std::vector<lab::BenchRow> rows = lab::drive(*bench, corners, args.steps);
   const std::vector<ContactForces> exact = verification::witness(law.name, v, corners, args.steps);

@@ -12,6 +12,7 @@
 #include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
+#include "io/output.hpp"
 #include "io/program.hpp"
 #include "io/rock_in.hpp"
 #include "jobs/calibration_folder.hpp"
@@ -104,6 +105,7 @@ std::string format_of(const FigureArguments& args) {
 /// The exit code.
 int draw(FigureArguments args) {
   const std::string format = format_of(args);
+  io::check_ending(args.out, {".svg", ".pdf", ".png"});
   const Held held(args.result);
   const report::FigureKind& kind = report::figure_kind(args.kind.empty() ? held.usual_kind() : args.kind);
   if (args.width != 0.0 && !(args.width >= least_width && args.width <= most_width))

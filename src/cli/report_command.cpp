@@ -26,6 +26,7 @@ int report(const ReportArguments& args) {
   auto [run, extras] = jobs::read_report(args.result);
   if (!args.rock.empty()) extras.laboratory = targets_of(io::read_rock(args.rock));
   const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
+  io::check_ending(out, {".html", ".htm"});
   io::check_outputs({out});
   const auto start = std::chrono::steady_clock::now();
   const std::string page = report::report_page(run, extras);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -93,6 +94,14 @@ void check_outputs(const std::vector<std::string>& files, const std::string& wor
   for (const std::string& file : files)
     if (auto problem = problem_with(file, word)) problems.push_back(std::move(*problem));
   if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+void check_ending(const std::string& file, const std::vector<std::string>& endings) {
+  const std::string ending = fs::path(file).extension().string();
+  if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  std::string all;
+  for (const std::string& one : endings) all += (all.empty() ? "" : ", ") + one;
+  throw InputError(option_problem("out", file, "a name that ends in " + all, "nothing was written"));
 }
 
 void write_output(const std::string& file, const std::string& content) {

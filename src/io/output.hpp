@@ -33,6 +33,10 @@ bool holds(const std::string& file, const std::string& content);
 /// did.
 void check_outputs(const std::vector<std::string>& files, const std::string& word = "out");
 
+/// Throws InputError where the name of a file has another ending than these: a picture that is called
+/// calibration.json would take the place of one. A name without an ending is free.
+void check_ending(const std::string& file, const std::vector<std::string>& endings);
+
 /// write_file(), where nothing is in the way. A file that holds this content already is left as it is.
 void write_output(const std::string& file, const std::string& content);
 

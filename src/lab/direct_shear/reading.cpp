@@ -98,7 +98,8 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
   const Rows sliding = between(history, 0.5 * (branch.strain + end), end);
   Rows middle;
   for (const HistoryRow& r : analysis::first_passage(branch, {0.4, 0.6})) middle.push_back(&r);
-  const double tau_residual = mean(residual, &HistoryRow::axial_stress);
+  // Without a peak nothing is behind it.
+  const double tau_residual = branch.peaked ? mean(residual, &HistoryRow::axial_stress) : nan;
   std::vector<Number> out = {
       {"tau_peak", branch.peaked ? branch.largest : nan, "Pa",
        "largest shear stress (mean of both boxes over the initial width)", note},
@@ -111,7 +112,10 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
       {"mu_residual", tau_residual / mean(residual, &HistoryRow::lateral_stress), "1",
        "tau_residual over the mean normal stress of the same quarter",
        load.stress > 0.0 ? note : "no normal stress"},
-      {"dilation", -std::atan(slope(sliding, &HistoryRow::lateral_strain)) * 180.0 / std::numbers::pi, "deg",
+      {"dilation",
+       branch.peaked ? -std::atan(slope(sliding, &HistoryRow::lateral_strain)) * 180.0 / std::numbers::pi
+                     : nan,
+       "deg",
        "angle of dilation: opening over shear displacement in the second half of the sliding after the peak",
        note}};
   // Both end with the test, so that the longer one holds the other.
