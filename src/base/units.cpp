@@ -35,6 +35,7 @@ constexpr Unit units[] = {
     {Dimension::length, "m", 0, 1.0, "м"},
     {Dimension::length, "um", -6, 0.1, "µm, micron, microns, мкм"},
     {Dimension::length, "cm", -2, 0.0, "см"},
+    {Dimension::length, "km", 3, foreign, "км"},
     {Dimension::length, "in", -4, foreign, "inch, inches, \"", 254.0},
     {Dimension::length, "ft", -4, foreign, "foot, feet", 3048.0},
     {Dimension::pressure, "GPa", 9, 1.0, "kN/mm2, GN/m2, ГПа"},

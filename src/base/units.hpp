@@ -46,7 +46,7 @@ struct Quantity {
 Quantity parse_quantity(std::string_view text, Dimension dimension, double usual = 0.0);
 /// Writes a value with the friendliest unit; reads back to the same bits (finite values).
 std::string print_quantity(double value, Dimension dimension);
-/// "mm, m, um, cm, in, ft"; empty for Dimension::none.
+/// "mm, m, um, cm, km, in, ft"; empty for Dimension::none.
 std::string unit_names(Dimension dimension);
 /// The unit of the values inside the program: "m", "Pa", "Pa/m", "deg", "m/s", "kg/m^3", "Pa sqrt(m)",
 /// and "1" for strain and none.

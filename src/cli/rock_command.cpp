@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/largest_file.hpp"
 #include "base/quote.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/machine.hpp"
@@ -58,8 +59,10 @@ int rock_new(const std::string& given, const std::string& data) {
   const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
   const std::string stem = toml.stem().string();
   if (!data.empty()) {
-    if (!std::filesystem::is_regular_file(data))
-      throw InputError(Problem{"command line", "--data", data, "a file that is there", ""});
+    if (std::filesystem::path(data).extension() == ".toml")
+      throw InputError(Problem{"command line", "--data", data, "a table of tests: CSV, text, .xlsx or AGS 4",
+                               "a .toml file holds keys; nothing was written"});
+    io::read_file(data, largest_table);  // a file, and none that is too large
     const std::filesystem::path from = std::filesystem::absolute(toml).parent_path();
     const std::string table = std::filesystem::proximate(std::filesystem::absolute(data), from).string();
     io::write_file(toml.string(), io::rock_template(stem, table));
