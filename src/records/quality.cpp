@@ -32,8 +32,9 @@ const std::vector<QualityLimit>& quality_limits() {
        "put more discs into the box (packing.n_grains, packing.porosity or the imported file)"},
       {"grains_across", true, 10.0, 5.0, "too few grains across the specimen to be a rock",
        "lower the radii of [packing], or widen the specimen"},
-      {"joints", true, 3.0, 1.0, "the bedding hardly meets the specimen, or not at all",
-       "lower bedding.spacing, move bedding.offset, or raise bedding.persistence; of the oriented rule raise "
+      {"joints", true, 3.0, 1.0, "hardly any contact lies on a plane of the bedding",
+       "raise bedding.zone_thickness (zone rule), lower bedding.spacing, move bedding.offset, or raise "
+       "bedding.persistence; of the oriented rule raise "
        "bedding.orientation_range"},
       {"grains_per_spacing", true, 3.0, 1.0, "too few grains between two bedding planes",
        "lower the radii of [packing], or raise bedding.spacing"},
