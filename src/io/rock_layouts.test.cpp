@@ -361,5 +361,41 @@ TEST_F(Layouts, RowsOfMeansAreKnownInSeveralLanguages) {
         << word;
 }
 
+// Whole tables in layouts that are in use, values made up: what is asked, or how many values are read and the
+// first UCS.
+struct Outside {
+  const char* file;
+  const char* asked;
+  std::size_t n_ucs = 0;
+  double first = 0.0;
+};
+
+TEST_F(Layouts, TablesFromOutsideAreReadOrAskedAbout) {
+  for (const Outside& t :
+       {Outside{"direction-in-words.csv", "\"Parallel to bedding\" counts as theta = 90 deg"},
+        Outside{"stress-in-psi-unknown-name.csv", "\"Peak axial stress at failure (psi)\" = "},
+        Outside{"diameter-without-unit.csv", "Diameter [mm]"},
+        Outside{"units-row-psi-in.csv", "\"Failure strength\", \"Est. Cohesion\""},
+        Outside{"power-of-ten-in-unit.csv", "", 5, 80e6}, Outside{"full-width-brackets.csv", "", 5, 80e6},
+        Outside{"kgf-cm2.csv", "", 5, 816 * 98066.5},
+        Outside{"columns-by-blanks.txt", "sigma1 [MPa], sigma2 [MPa], sigma3 [MPa]"},
+        Outside{"replicates-in-columns.csv", "", 15, 80e6}, Outside{"ags4-rucs.ags", "no column of angles"},
+        Outside{"direct-shear-table.csv", "\"s_n(kPa)\", \"t_p(kPa)\", \"t_r(kPa)\""},
+        Outside{"angle-missing-in-one-row.csv", "\"Bedding_Angle [deg]\" = \"theta\""},
+        Outside{"degree-sign-latin1.csv", "byte 0xB0"},
+        Outside{"chinese-headers-utf8.csv", "\"泊松比\", \"巴西劈裂强度(MPa)\""},
+        Outside{"no-break-space.csv", "", 5, 80e6}, Outside{"ranges.csv", "UCS = 10-30"}}) {
+    const std::string toml = "data = \"" PHY_SOURCE_DIR "/tests/outside/" + std::string(t.file) + "\"\n";
+    try {
+      const std::vector<double> ucs = values(read_rock(write("x.toml", toml)), Property::ucs);
+      ASSERT_EQ(ucs.size(), t.n_ucs) << t.file;
+      EXPECT_DOUBLE_EQ(ucs[0], t.first) << t.file;
+    } catch (const InputError& e) {
+      EXPECT_STRNE(t.asked, "") << t.file << ": " << e.what();
+      EXPECT_THAT(e.what(), HasSubstr(t.asked)) << t.file;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace phy::io
