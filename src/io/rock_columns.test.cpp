@@ -74,14 +74,14 @@ TEST(RockColumns, WhatMeansSeveralThingsIsNotGuessed) {
   for (const char* angle : {"Foliation angle (°)", "orientation", "dip direction [deg]", "Angle to bedding",
                             "Inclination from core axis [°]"}) {
     EXPECT_EQ(head_of(angle).kind, Column::other) << angle;
-    EXPECT_TRUE(head_of(angle).speaks_of_angles) << angle;
+    EXPECT_TRUE(head_of(angle).speaks_of.angles) << angle;
   }
   for (const char* other :
        {"Sample", "Specimens", "No.", "D [mm]", "Height (mm)", "Load (kN)", "c_sd [MPa]", "phi_sd",
         "Is50 [MPa]", "Is(50) [MPa]", "UCS (MPa) residual", "UCS (MPa) dry", "E (MPa) x 10^4", "E [GPa] ± SD",
         "Vp (km/s)", "Porosity (n)", "Void ratio (e)", "Load at failure (q)", ""}) {
     EXPECT_EQ(head_of(other).kind, Column::other) << other;
-    EXPECT_FALSE(head_of(other).speaks_of_angles) << other;
+    EXPECT_FALSE(head_of(other).speaks_of.angles) << other;
   }
   EXPECT_EQ(head_of("Is(50) [MPa]").unit, "MPa");
   EXPECT_EQ(head_of("density (g/cm³)").unit, "g/cm^3");
@@ -111,8 +111,8 @@ TEST(RockColumns, ToughnessIsKnownByItsNamesAndUnits) {
     EXPECT_EQ(head_of(name).kind, Column::value) << name;
     EXPECT_EQ(head_of(name).unit, "MPa sqrt(m)") << name;
   }
-  EXPECT_TRUE(head_of("K_Ic of the second series [N/mm^(3/2)]").speaks_of_values);
-  EXPECT_FALSE(head_of("K_Ic [MPa√m]").speaks_of_values);
+  EXPECT_TRUE(head_of("K_Ic of the second series [N/mm^(3/2)]").speaks_of.values);
+  EXPECT_FALSE(head_of("K_Ic [MPa√m]").speaks_of.values);
   const Head sd = head_of("K_Ic_sd [MPa m^0.5]");
   EXPECT_EQ(sd.kind, Column::scatter);
   EXPECT_EQ(sd.unit, "MPa sqrt(m)");

@@ -10,6 +10,7 @@
 #include "base/quote.hpp"
 #include "base/trimmed.hpp"
 #include "base/units.hpp"
+#include "io/rock_directions.hpp"
 #include "io/table_cells.hpp"
 
 namespace phy::io {
@@ -222,7 +223,7 @@ class HeadsReader {
         take_replicates(name, columns);
       else
         for (const std::size_t i : columns)
-          heads_.all[i].kind = Column::other, heads_.all[i].speaks_of_values = true;
+          heads_.all[i].kind = Column::other, heads_.all[i].speaks_of.values = true;
     }
     for (std::size_t i = 0; i < heads_.all.size(); ++i) take_scatter_behind(i);
   }
@@ -339,12 +340,12 @@ class HeadsReader {
     const bool angle = unit && unit->dimension == Dimension::angle;
     const bool value =
         unit && (unit->dimension == Dimension::pressure || unit->dimension == Dimension::toughness);
-    const bool speaks = (h.speaks_of_values || h.summary) && !unit;  // "UCS diameter [mm]" is no strength
+    const bool speaks = (h.speaks_of.values || h.summary) && !unit;  // "UCS diameter [mm]" is no strength
     if (may_be_angle(i))
       ask_for_angle(i);
     else if (angle || value || (speaks && any_cell(i, looks_measured)))
       unknown_.push_back(header(i));
-    else if (needs_angles() && h.speaks_of_directions && h.unit.empty() && !cells_of(i).empty())
+    else if (needs_angles() && h.speaks_of.directions && h.unit.empty() && !cells_of(i).empty())
       describe_layers_.push_back(header(i));
     else
       passed_.push_back(header(i));
@@ -359,10 +360,10 @@ class HeadsReader {
         !(h.unit.empty() || h.unit == "deg" || h.unit == "rad"))
       return false;
     const auto is_angle = [&](const auto& cell) { return is_number(cell) || is_direction(cell, i); };
-    if (h.speaks_of_angles && (!h.unit.empty() || any_cell(i, is_angle))) return true;
+    if (h.speaks_of.angles && (!h.unit.empty() || any_cell(i, is_angle))) return true;
     if (needs_angles() && !h.unit.empty()) return true;
     if (!needs_angles() || !any_cell(i, is_angle)) return false;
-    return h.speaks_of_directions || (!all_cells(i, is_number) && all_cells(i, is_angle));
+    return h.speaks_of.directions || (!all_cells(i, is_number) && all_cells(i, is_angle));
   }
   bool needs_angles() const { return !heads_.has_angles() && keys_.bedded != false; }
   /// What an angle would be called in the rock file: the header, with the unit of bare numbers.

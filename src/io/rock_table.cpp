@@ -13,6 +13,7 @@
 
 #include "base/nan.hpp"
 #include "base/units.hpp"
+#include "io/rock_directions.hpp"
 #include "io/table.hpp"
 #include "io/workbook.hpp"
 #include "theory/jaeger.hpp"
