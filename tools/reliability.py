@@ -218,8 +218,8 @@ def page(results):
         "error of a test, but what a packing that is not meant does to its numbers:\n", packings(results),
         "Grains of another size in the same box with the same planes, single specimens against the mean of the smallest grains. Scatter and the "
         "size of the grains are in it together:\n", resolution(results),
-        "Direct shear of boxes at all speeds, by the deviation of the normal stress from 5 MPa:\n", shear(results),
-        "E and nu of two dozen rocks at 0.02 and 0.05 m/s against 0.005 m/s, by the larger measure of both tests:\n", moduli(results),
+        "Peak strength in direct shear, by the deviation of the normal stress from 5 MPa:\n", shear(results),
+        "E and nu of 24 rocks at 0.02 and 0.05 m/s against 0.005 m/s, by the larger measure of both tests:\n", moduli(results),
         f"Slip beyond a grain: a joint keeps the area that it was given, which is wrong once it has slipped by more than a radius. At the strength "
         f"the platens have come together by, in smallest radii: {slip(e, 76.0, 1.36)}. Slip of a plane between rigid platens is of that order.\n"])
 
