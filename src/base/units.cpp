@@ -130,6 +130,10 @@ constexpr std::pair<const char*, const char*> same_signs[] = {
 std::string with_same_signs(std::string_view text) {
   std::string out;
   while (!text.empty()) {
+    if (static_cast<unsigned char>(text.front()) < 0x80) {  // none of the list
+      out += text.front(), text.remove_prefix(1);
+      continue;
+    }
     const auto sign = std::find_if(std::begin(same_signs), std::end(same_signs),
                                    [&](const auto& s) { return text.starts_with(s.first); });
     if (sign == std::end(same_signs)) {

@@ -36,11 +36,10 @@ bool is_degree(const std::string& text) {
 }  // namespace
 
 std::optional<double> direction_in_words(const std::string& cell, const std::string& header) {
+  if (cell.find_first_of("0123456789") != cell.npos) return {};
   const std::string key = lower_case(cell), head = lower_case(header);
   // "30° to parallel", "not parallel", "sub-parallel" say something else.
-  if (holds_any(key, std::array{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "not ", "sub", "near",
-                                "oblique"}))
-    return {};
+  if (holds_any(key, std::array{"not ", "sub", "near", "oblique"})) return {};
   const bool along = holds_any(key, std::array{"parall", "paral", "∥", "||", "//", "параллел", "平行"});
   const bool across = holds_any(key, std::array{"perpend", "⊥", "_|_", "senkrecht", "перпенд", "垂直"});
   if (names_a_normal(head) || ((along || across) && names_a_normal(key))) return {};

@@ -68,7 +68,14 @@ class ReadingReader {
         where_(table.where),
         keys_(keys),
         problems_(problems),
-        notes_(notes) {}
+        notes_(notes) {
+    for (const Head& h : heads_.all) {
+      const auto unit = find_unit(h.unit);
+      const Dimension d = dimension_of(h);
+      const bool bare = h.unit.empty() || h.unit == "-" || h.unit == "1";
+      has_unit_.push_back(d == Dimension::none ? bare : unit && unit->dimension == d);
+    }
+  }
 
   Readings read() {
     for (const TableRow& row : table_.rows) read_row(row, keys_.confining);
@@ -118,6 +125,7 @@ class ReadingReader {
   const TableKeys& keys_;
   std::vector<Problem>& problems_;
   std::vector<std::string>& notes_;
+  std::vector<bool> has_unit_;  // of the columns; another was reported with the header
   std::vector<RockReading> readings_;
   int n_merged_ = 0;            // cells that are one with that above
   int n_assumed_ = 0;           // values with an SD of an unknown number of specimens
@@ -160,15 +168,12 @@ class ReadingReader {
                            "a bare number" + (h.unit.empty() ? "" : " in " + h.unit), remedy_of(cell, read)});
       return false;
     }
-    return in_si(row.line, h, cell, value) && in_range(row.line, h, cell, value);
+    return has_unit_[column] && in_si(row.line, h, cell, value) && in_range(row.line, h, cell, value);
   }
-  /// False: a problem has been reported, here or with the header.
+  /// False: a problem has been reported.
   bool in_si(int line, const Head& h, const std::string& cell, double& value) {
     const Dimension d = dimension_of(h);
-    const auto unit = find_unit(h.unit);
-    if (d == Dimension::none)
-      return h.unit.empty() || h.unit == "-" || h.unit == "1";  // others were reported
-    if (!unit || unit->dimension != d) return false;            // the unit of the header has been reported
+    if (d == Dimension::none) return true;
     const Quantity q = parse_quantity(cell + " " + h.unit, d);
     // Radians are written with four digits: 1.5708 is 90 degrees.
     value = h.unit == "rad" ? std::round(q.value * 100.0) / 100.0 : q.value;
