@@ -1,0 +1,53 @@
+// What a survey of a table, a search or a verdict finds, as data: kind, cells, numbers, advice; no text.
+//
+// report/words.hpp is the one place that words a finding; files hold its kind and its numbers beside the
+// words. Whoever wants to know what was found - the summary, the page, Python, a test - asks for the kind.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/rock.hpp"
+
+namespace phy {
+
+/// A cell of the table: what `same_cell` compares of two targets.
+struct Cell {
+  Property property = Property::E;
+  double theta = 0.0;      ///< [deg]
+  double confining = 0.0;  ///< [Pa]
+  double diameter = 0.0;   ///< [m] of a disc; 0: the model's
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+Cell cell_of(const Target& target);
+
+/// A number of a finding in SI. Its name is the key in files and says what it is: "model", "laboratory".
+struct Quantity {
+  std::string_view name;
+  double value;
+};
+
+/// What was found. The list in finding.cpp gives each its word in files; report/words gives its sentence.
+enum class FindingKind {
+  value_missed,  ///< cells; "model", "laboratory", "margin": a value off by more than its margin
+};
+std::string_view to_string(FindingKind kind);
+
+/// What may help. Given only where following it can help.
+enum class Advice {
+  none,
+};
+std::string_view to_string(Advice advice);
+
+struct Finding {
+  FindingKind kind;
+  std::vector<Cell> cells = {};
+  std::vector<Quantity> numbers = {};
+  std::vector<std::string> names = {};  ///< of what is no number: a model of rock, a parameter, a column
+  Advice advice = Advice::none;
+
+  /// The number of this name; a finding without it is a broken program.
+  double number(std::string_view name) const;
+};
+
+}  // namespace phy
