@@ -20,7 +20,7 @@ constexpr std::array advices = {
 template <class List, class Value>
 std::string_view word_in(const List& list, Value value) {
   const auto it = std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.first == value; });
-  PHY_CHECK(it != list.end());
+  PHY_CHECK(it != list.end(), "every kind has its word in files");
   return it->second;
 }
 
@@ -34,7 +34,7 @@ std::string_view to_string(Advice advice) { return word_in(advices, advice); }
 double Finding::number(std::string_view name) const {
   const auto it =
       std::find_if(numbers.begin(), numbers.end(), [&](const Quantity& q) { return q.name == name; });
-  PHY_CHECK(it != numbers.end());
+  PHY_CHECK(it != numbers.end(), "the finding has no number " + std::string(name));
   return it->value;
 }
 
