@@ -157,6 +157,8 @@ clang-hash: deps-clang
 lint:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format --dry-run -Werror
 	@python3 tools/check_floors.py
+	@python3 tools/tools_test.py --quiet
+	@python3 tools/check_functions.py
 
 # By the commands of a build without batches, which need not be run.
 tidy:
