@@ -1,41 +1,48 @@
 #include "records/finding.hpp"
 
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <cstddef>
 
 #include "base/check.hpp"
 
 namespace phy {
 namespace {
 
-constexpr std::array kinds = {
-    std::pair{FindingKind::value_missed, std::string_view("value_missed")},
+constexpr std::string_view kinds[] = {
+#define PHY_WORD(word) #word,
+#include "records/finding_of_calibration.def"
+#include "records/finding_of_table.def"
+};
+constexpr std::string_view advices[] = {
+#include "records/advice.def"
+#undef PHY_WORD
 };
 
-constexpr std::array advices = {
-    std::pair{Advice::none, std::string_view("none")},
-};
-
-template <class List, class Value>
-std::string_view word_in(const List& list, Value value) {
-  const auto it = std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.first == value; });
-  PHY_CHECK(it != list.end(), "every kind has its word in files");
-  return it->second;
+const Quantity* quantity(const Finding& finding, std::string_view name) {
+  const auto it = std::find_if(finding.numbers.begin(), finding.numbers.end(),
+                               [&](const Quantity& q) { return q.name == name; });
+  return it != finding.numbers.end() ? &*it : nullptr;
 }
 
 }  // namespace
 
 Cell cell_of(const Target& t) { return {t.property, t.theta, t.confining, t.diameter}; }
 
-std::string_view to_string(FindingKind kind) { return word_in(kinds, kind); }
-std::string_view to_string(Advice advice) { return word_in(advices, advice); }
+std::string_view to_string(FindingKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+std::string_view to_string(Advice advice) { return advices[static_cast<std::size_t>(advice)]; }
+
+bool Finding::has(std::string_view name) const { return quantity(*this, name) != nullptr; }
 
 double Finding::number(std::string_view name) const {
+  const Quantity* q = quantity(*this, name);
+  PHY_CHECK(q != nullptr, "the finding has no number " + std::string(name));
+  return q->value;
+}
+
+const Finding* first_of(const std::vector<Finding>& findings, FindingKind kind) {
   const auto it =
-      std::find_if(numbers.begin(), numbers.end(), [&](const Quantity& q) { return q.name == name; });
-  PHY_CHECK(it != numbers.end(), "the finding has no number " + std::string(name));
-  return it->value;
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.kind == kind; });
+  return it != findings.end() ? &*it : nullptr;
 }
 
 }  // namespace phy

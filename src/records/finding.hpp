@@ -3,6 +3,7 @@
 // report/words.hpp is the one place that words a finding; files hold its kind and its numbers beside the
 // words. Whoever wants to know what was found - the summary, the page, Python, a test - asks for the kind.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,19 +24,25 @@ Cell cell_of(const Target& target);
 
 /// A number of a finding in SI. Its name is the key in files and says what it is: "model", "laboratory".
 struct Quantity {
-  std::string_view name;
+  std::string_view name;  ///< of a literal: it outlives every finding
   double value;
+  friend bool operator==(const Quantity&, const Quantity&) = default;
 };
 
-/// What was found. The list in finding.cpp gives each its word in files; report/words gives its sentence.
-enum class FindingKind {
-  value_missed,  ///< cells; "model", "laboratory", "margin": a value off by more than its margin
+/// What was found. The lists say what belongs to each; its word is also the one in files.
+enum class FindingKind : std::uint8_t {
+#define PHY_WORD(word) word,
+#include "records/finding_of_calibration.def"
+#include "records/finding_of_table.def"
+#undef PHY_WORD
 };
 std::string_view to_string(FindingKind kind);
 
 /// What may help. Given only where following it can help.
-enum class Advice {
-  none,
+enum class Advice : std::uint8_t {
+#define PHY_WORD(word) word,
+#include "records/advice.def"
+#undef PHY_WORD
 };
 std::string_view to_string(Advice advice);
 
@@ -48,6 +55,11 @@ struct Finding {
 
   /// The number of this name; a finding without it is a broken program.
   double number(std::string_view name) const;
+  bool has(std::string_view name) const;
+  friend bool operator==(const Finding&, const Finding&) = default;
 };
+
+/// The first of a kind; nullptr: there is none.
+const Finding* first_of(const std::vector<Finding>& findings, FindingKind kind);
 
 }  // namespace phy

@@ -1,0 +1,124 @@
+#include "report/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/check.hpp"
+
+namespace phy::report {
+namespace {
+
+std::map<FindingKind, Wording> all_words() {
+  std::map<FindingKind, Wording> all;
+  for (const auto* list : {&words_of_table(), &words_of_calibration()})
+    for (const Wording& w : *list) all[w.kind] = w;
+  return all;
+}
+
+const Wording& wording_of(FindingKind kind) {
+  static const std::map<FindingKind, Wording> all = all_words();
+  const auto it = all.find(kind);
+  PHY_CHECK(it != all.end(), "a sentence for " + std::string(to_string(kind)));
+  return it->second;
+}
+
+bool same_test(const Cell& a, const Cell& b) {
+  return a.property == b.property && a.confining == b.confining && a.diameter == b.diameter;
+}
+
+/// "UCS", "BTS (54 mm)", "sigma_1 (10 MPa)".
+std::string test_text(const Cell& c) {
+  std::vector<std::string> own;
+  if (c.diameter > 0.0) own.push_back(fmt::format("{:g} mm", c.diameter * 1e3));
+  if (c.confining > 0.0) own.push_back(fmt::format("{:.3g} MPa", c.confining * 1e-6));
+  const std::string name = to_string(c.property);
+  return own.empty() ? name : name + " (" + list_text(own) + ")";
+}
+
+}  // namespace
+
+std::string sentence(const Finding& finding) {
+  const Wording& w = wording_of(finding.kind);
+  return w.of_cells ? cells_text(finding.cells) + ": " + w.text(finding) : w.text(finding);
+}
+
+std::vector<std::string> sentences(const std::vector<Finding>& findings) {
+  std::vector<Finding> merged;
+  for (const Finding& f : findings) {
+    // cells apart, the same kind says the same: the first takes the cells of the others
+    const auto said = std::find_if(merged.begin(), merged.end(), [&](const Finding& m) {
+      const Wording& w = wording_of(f.kind);
+      return m.kind == f.kind && w.of_cells && w.text(m) == w.text(f);
+    });
+    if (said == merged.end())
+      merged.push_back(f);
+    else
+      said->cells.insert(said->cells.end(), f.cells.begin(), f.cells.end());
+  }
+  std::vector<std::string> lines;
+  for (const Finding& m : merged) lines.push_back(sentence(m));
+  return lines;
+}
+
+std::string number_text(double v) {
+  const double size = std::fabs(v);
+  return !std::isfinite(v) ? "-"
+         : size >= 99.95   ? fmt::format("{:.0f}", v)
+         : size >= 9.995   ? fmt::format("{:.1f}", v)
+         : size >= 0.9995  ? fmt::format("{:.2f}", v)
+                           : fmt::format("{:.3f}", v);
+}
+
+std::string value_text(Property property, double si) {
+  const ShownUnit unit = shown_unit(property);
+  const std::string number = number_text(si * unit.factor);
+  return *unit.name == '\0' ? number : number + " " + unit.name;
+}
+
+std::string percent_text(double share) {
+  const double percent = 100.0 * share;
+  return std::fabs(percent) < 9.95 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
+std::string miss_text(Property property, double miss) {
+  if (!std::isfinite(miss)) return "-";
+  return property == Property::nu ? fmt::format("{:.3f}", miss) : percent_text(miss);
+}
+
+std::string counted_text(double n, const std::string& noun) {
+  return fmt::format("{:.0f} {}{}", n, noun, n == 1.0 ? "" : "s");
+}
+
+std::string list_text(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+  return text;
+}
+
+std::string angles_text(const std::vector<double>& angles) {
+  std::vector<std::string> items;
+  for (const double theta : angles) items.push_back(fmt::format("{:g}", theta));
+  return list_text(items) + " degrees";
+}
+
+std::string cells_text(const std::vector<Cell>& cells) {
+  std::vector<std::string> tests;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::vector<double> angles;
+    bool first = true;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (!same_test(cells[k], cells[i])) continue;
+      first = first && k >= i;
+      angles.push_back(cells[k].theta);
+    }
+    if (first) tests.push_back(test_text(cells[i]) + " at " + angles_text(angles));
+  }
+  return fmt::format("{}", fmt::join(tests, ", "));
+}
+
+}  // namespace phy::report

@@ -1,0 +1,53 @@
+// The words of findings: the one place where a kind, its cells and its numbers become a sentence.
+//
+// Sentences have at most 25 words and are such as a colleague would say aloud (CONTRIBUTING, "Style").
+// Nothing reads them but people: whoever wants to know what was found asks for the kind.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/calibration.hpp"
+#include "records/finding.hpp"
+
+namespace phy::report {
+
+/// What was found, with its advice where the list of kinds says so.
+std::string sentence(const Finding& finding);
+
+/// One sentence for several findings that say the same of other cells: "UCS at 0 and 30 degrees: ...".
+std::vector<std::string> sentences(const std::vector<Finding>& findings);
+
+/// What to do, as an imperative without a full stop: "test more specimens of UCS at 30 degrees".
+std::string text(Advice advice, const Finding& of);
+
+// ---- one formatter per unit
+
+/// Three digits, no exponent: "118", "48.0", "1.84", "0.529"; "-" for no number.
+std::string number_text(double value);
+/// A value in the unit in which people read the property: "48.0 MPa", "0.529".
+std::string value_text(Property property, double si);
+/// A relative difference in percent, of nu the number itself: "4.1 %", "53 %", "0.042"; "-" for none.
+std::string miss_text(Property property, double miss);
+/// "30 %", "3.4 %".
+std::string percent_text(double share);
+/// "3 tests", "1 test".
+std::string counted_text(double n, const std::string& noun);
+/// "0 degrees", "0, 30 and 60 degrees".
+std::string angles_text(const std::vector<double>& angles);
+/// "UCS at 0 and 30 degrees, BTS at 90 degrees".
+std::string cells_text(const std::vector<Cell>& cells);
+/// "a, b and c".
+std::string list_text(const std::vector<std::string>& items);
+
+// ---- the lists of sentences
+
+struct Wording {
+  FindingKind kind;
+  std::string (*text)(const Finding&);
+  /// Said of each cell alike: the text follows "UCS at 0 degrees: ".
+  bool of_cells = false;
+};
+const std::vector<Wording>& words_of_table();
+const std::vector<Wording>& words_of_calibration();
+
+}  // namespace phy::report

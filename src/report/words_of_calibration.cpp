@@ -1,0 +1,492 @@
+// What a calibration finds, in words.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "report/words.hpp"
+
+namespace phy::report {
+namespace {
+
+using F = const Finding&;
+using Kind = FindingKind;
+
+Property property_of(F f) { return f.cells.front().property; }
+
+/// Model and laboratory in the unit of the cell.
+std::string both(F f) {
+  return fmt::format("{} in the model and {} in the table", value_text(property_of(f), f.number("model")),
+                     value_text(property_of(f), f.number("laboratory")));
+}
+
+/// "7.2 % too low".
+std::string miss(F f) {
+  const double model = f.number("model"), laboratory = f.number("laboratory");
+  const bool nu = property_of(f) == Property::nu;
+  const double off = nu ? model - laboratory : model / laboratory - 1.0;
+  return fmt::format("{} too {}", miss_text(property_of(f), std::fabs(off)), off < 0.0 ? "low" : "high");
+}
+
+/// "14.3 to 15.0", or one number where both look alike.
+std::string range(double low, double high, const char* format) {
+  const std::string a = fmt::format(fmt::runtime(format), low), b = fmt::format(fmt::runtime(format), high);
+  return a == b ? a : a + " to " + b;
+}
+std::string ranges(F f, const std::string& ratio, const char* format) {
+  return fmt::format("{} is {} in the table and {} in the model.", ratio,
+                     range(f.number("laboratory_low"), f.number("laboratory_high"), format),
+                     range(f.number("model_low"), f.number("model_high"), format));
+}
+std::string tension_ratio(F f) {
+  return ranges(f, fmt::format("UCS/{}", to_string(property_of(f))), "{:.1f}");
+}
+std::string ends_ratio(F f, const char* ratio) {
+  return fmt::format("{} is {:.2f} in the table and {:.2f} in the model.", ratio, f.number("laboratory"),
+                     f.number("model"));
+}
+std::string weakest(F f) {
+  return fmt::format("The rock is weakest at {:g} degrees, the model at {:g} degrees.", f.cells[0].theta,
+                     f.cells[1].theta);
+}
+
+std::string nearest_in_maps(F f) {
+  const std::string numbers = fmt::format(
+      "With free scales the model misses {} by {:.2f} tolerances (rms), the nearest of {:.0f} mapped "
+      "specimens of {:.0f} models by {:.2f}.",
+      f.number("with_nu") > 0.0 ? "E, nu and strengths" : "E and strengths", f.number("model"),
+      f.number("specimens"), f.number("models"), f.number("nearest"));
+  if (f.advice == Advice::none) return numbers + " The maps show no nearer model.";
+  const std::string& model = f.names.front();
+  return numbers + fmt::format(" {} may come nearer.",
+                               f.advice == Advice::search_again ? "Another search (--effort, packing.seed)"
+                               : f.advice == Advice::search_again_by
+                                   ? "Another search (--effort, packing.seed) with " + model
+                                   : "A model with " + model + " (layers, --matrix)");
+}
+
+/// Of a model that was calibrated, and what it came to.
+std::string model_tried(F f) {
+  const std::string result =
+      f.number("unanswered") > 0.0
+          ? counted_text(f.number("unanswered"), "value") + " without an answer"
+          : fmt::format("{:.2g} tolerances off on unseen packings (rms)", f.number("tolerances"));
+  return fmt::format("Calibrated with {}: {}, {}.", f.names.front(),
+                     f.number("reached") > 0.0 ? "within reach" : "out of reach", result);
+}
+
+std::string rival_model(F f) {
+  return fmt::format(
+      "{} may do as well: before any test E and strengths were missed by {}, by {} with {}. To try it, take "
+      "a new folder and {}.",
+      f.names[0], percent_text(f.number("error")), percent_text(f.number("taken_error")), f.names[1],
+      list_text({f.names.begin() + 2, f.names.end()}));
+}
+
+std::string unresolved(F f) {
+  const Property p = property_of(f);
+  const std::string limit = miss_text(p, f.number("coarsest"));
+  const auto finer = [&] {  // where the margin would read as the limit
+    const double m = f.number("margin");
+    return p == Property::nu ? fmt::format("{:.3f}", m) : fmt::format("{:.1f} %", 100.0 * m);
+  };
+  const std::string margin = miss_text(p, f.number("margin"));
+  return fmt::format(
+      "not resolved, an error of {} would pass as chance. {}", margin == limit ? finer() : margin,
+      f.has("specimens")
+          ? fmt::format("{} bring that to {}.", counted_text(f.number("specimens"), "more specimen"), limit)
+          : "Packings of this size differ too much; smaller grains help.");
+}
+
+std::string toughness_grains(F f) {
+  std::string text = fmt::format(
+      "At the same strengths grain_size = \"{:.2g} mm\" in the rock file would meet K_Ic, with some {:.0f} "
+      "grains in the specimen, {:.0f} in the radius of the half disc.",
+      f.number("wanted") * 1e3, f.number("grains"), f.number("in_radius"));
+  if (f.number("in_radius") < f.number("fewest"))
+    text += fmt::format(" With fewer than {:g}, K_Ic comes out too small, and larger grains meet it.",
+                        f.number("fewest"));
+  return text;
+}
+
+std::string unsettled(const std::string& why) {
+  return "The estimate of the strengths had not settled when the search ended: " + why + ".";
+}
+
+const std::vector<Wording> values = {
+    {Kind::fit_missed,
+     [](F f) { return fmt::format("{} is {}, {}.", cells_text(f.cells), both(f), miss(f)); }},
+    {Kind::value_missed,
+     [](F f) {
+       return fmt::format("On unseen packings {} is {}, {}.", cells_text(f.cells), both(f), miss(f));
+     }},
+    {Kind::packings_differ,
+     [](F f) {
+       const Property p = property_of(f);
+       const double unit = p == Property::nu ? 1.0 : f.number("model");
+       return fmt::format(
+           "On unseen packings {} is {}, {}; the fit meets it. Packings of this size differ by {}.",
+           cells_text(f.cells), both(f), miss(f), miss_text(p, f.number("sd") / unit));
+     }},
+    {Kind::fit_unanswered,
+     [](F) -> std::string {
+       return "the model carries no load (`phyllite elastic` with calibrated.toml reports why).";
+     },
+     true},
+    {Kind::value_unanswered, [](F) -> std::string { return "the model carries no load on unseen packings."; },
+     true},
+    {Kind::no_usable_peak,
+     [](F f) { return fmt::format("no test on unseen packings has a usable peak ({}).", f.names.front()); },
+     true},
+    {Kind::search_unanswered,
+     [](F) -> std::string { return "no test has a usable peak, so strengths were not fitted."; }, true},
+    {Kind::value_unresolved, unresolved, true},
+    {Kind::strengths_missed,
+     [](F f) {
+       return fmt::format("The strengths as a whole are {} off; the tables show the nearest model found.",
+                          percent_text(f.number("rms")));
+     }},
+    {Kind::ratio_missed,
+     [](F f) {
+       return fmt::format("UCS/{} at {} is {:.1f} in the table and {:.1f} in the nearest model.",
+                          to_string(f.cells[1].property), angles_text({f.cells[1].theta}),
+                          f.number("laboratory"), f.number("model"));
+     }},
+    {Kind::parameter_at_edge,
+     [](F f) {
+       return fmt::format("{} lies at the end of its admissible range ({:.4g}).", f.names.front(),
+                          f.number("value"));
+     }},
+    {Kind::nu_gave_way,
+     [](F f) {
+       return fmt::format("The fit prefers E to nu: with full weight on both, E was off by up to {}.",
+                          percent_text(f.number("E_before")));
+     }},
+    {Kind::nearest_in_maps, nearest_in_maps},
+    {Kind::stopped, [](F) -> std::string { return "Stopped by the user; finished tests are in the store."; }},
+};
+
+const std::vector<Wording> causes = {
+    {Kind::unanswered, [](F f) { return "The model has no answer for " + cells_text(f.cells) + "."; }},
+    {Kind::nu_of_no_body,
+     [](F f) {
+       return fmt::format(
+           "nu(90)/nu(0) is {:.2f} in the table; in a layered elastic body it equals E(90)/E(0), {:.2f}.",
+           f.number("nu"), f.number("E"));
+     }},
+    {Kind::stiffening,
+     [](F f) {
+       return fmt::format(
+           "From {:.3g} to {:.3g} MPa of confining stress E changes by {:+.0f} % in the table and by {:+.0f} "
+           "% in the model, whose bonds do not stiffen.",
+           f.number("from") * 1e-6, f.number("to") * 1e-6, 100.0 * f.number("laboratory"),
+           100.0 * f.number("model"));
+     }},
+    {Kind::moduli_scaled,
+     [](F f) { return fmt::format("E as a whole is {:.2f} times E of the table.", f.number("factor")); }},
+    {Kind::modulus_ratio, [](F f) { return ends_ratio(f, "E(90)/E(0)"); }},
+    {Kind::weakest_angle, weakest},
+    {Kind::weakest_angle_no_plane,
+     [](F f) { return weakest(f) + " No single weak plane is weakest there."; }},
+    {Kind::ucs_ratio, [](F f) { return ends_ratio(f, "UCS(0)/UCS(90)"); }},
+    {Kind::tension_ratio, tension_ratio},
+    {Kind::tension_too_strong, [](F f) { return tension_ratio(f) + " Bonded discs are strong in tension."; }},
+    {Kind::initiation_ratio, [](F f) { return ranges(f, "sigma_ci/UCS", "{:.2f}"); }},
+    {Kind::grains_for_toughness,
+     [](F f) {
+       return fmt::format(
+           "K_Ic as a whole is {:.2f} times K_Ic of the table; it grows with the root of the grain size.",
+           f.number("factor"));
+     }},
+    {Kind::scattered_packings,
+     [](F f) {
+       return fmt::format(
+           "Packings of this grain size differ by {} from each other; the model misses the table by {}.",
+           percent_text(f.number("sd")), percent_text(f.number("miss")));
+     }},
+    {Kind::farthest_value,
+     [](F f) { return fmt::format("Farthest off is {}, {}.", cells_text(f.cells), both(f)); }},
+    {Kind::gap_in_ucs,
+     [](F f) {
+       return fmt::format("No UCS was measured between {:g} and {:g} degrees.", f.number("from"),
+                          f.number("to"));
+     }},
+};
+
+const std::vector<Wording> models = {
+    {Kind::model_expected,
+     [](F f) {
+       return fmt::format("Before any test, with {}: E fitted to {}, strengths left out predicted to {}.",
+                          f.names.front(), percent_text(f.number("E")), percent_text(f.number("strengths")));
+     }},
+    {Kind::model_taken,
+     [](F f) { return "Expected to do best, by the maps and before any test: " + f.names.front() + "."; }},
+    {Kind::models_miss_modulus,
+     [](F f) {
+       return fmt::format("Models that miss E by more than {} are passed over.",
+                          percent_text(f.number("limit")));
+     }},
+    {Kind::nested_models_stay,
+     [](F f) {
+       return fmt::format(
+           "A model that contains whole planes is taken only if it misses less than {:g} of what they miss.",
+           f.number("gain"));
+     }},
+    {Kind::flat_joints_rule,
+     [](F f) {
+       return fmt::format(
+           "Flat joints are taken only if they alone are expected to meet the table, or if nothing is and "
+           "they miss less than {:g} of what others miss.",
+           f.number("gain"));
+     }},
+    {Kind::model_without_rivals,
+     [](F f) { return "A sequence compares no models; taken: " + f.names.front() + "."; }},
+    {Kind::share_assumed,
+     [](F f) {
+       return fmt::format(
+           "Joints on {:g} of the planes are assumed. A share is chosen where the table has four strengths "
+           "without confinement, UCS among them.",
+           f.number("share"));
+     }},
+    {Kind::share_interval,
+     [](F f) {
+       return fmt::format(
+           "Joints lie on {:g} of the planes, {:g} to {:g} (95 %). Shares beyond miss E, miss {:g} times as "
+           "much, or were not compared. Search and ensemble keep {:g}.",
+           f.number("share"), f.number("low"), f.number("high"), f.number("factor"), f.number("share"));
+     }},
+    {Kind::model_tried, model_tried},
+    {Kind::model_interrupted,
+     [](F f) { return "The calibration with " + f.names.front() + " was interrupted."; }},
+    {Kind::model_kept, [](F f) { return "Kept: " + f.names.front() + "."; }},
+    {Kind::rival_model, rival_model},
+    {Kind::no_modulus,
+     [](F) -> std::string { return "The table has no E: the elastic parameters are those of the recipe."; }},
+    {Kind::moduli_at_small_strain,
+     [](F f) {
+       return fmt::format(
+           "E and nu are compared at small strain: without {} nothing shows how far a test softens "
+           "(E_is = \"{}\").",
+           f.names[1], f.names[0]);
+     }},
+    {Kind::elastic_only,
+     [](F) -> std::string {
+       return "The elastic part only: the strengths are those of the recipe, not calibrated.";
+     }},
+    {Kind::no_ucs,
+     [](F) -> std::string {
+       return "The table has no UCS: the strengths are those of the recipe, not calibrated.";
+     }},
+    {Kind::no_compression,
+     [](F) -> std::string {
+       return "The table has no strength in compression: the strengths are those of the recipe, not "
+              "calibrated.";
+     }},
+    {Kind::intervals_withdrawn,
+     [](F) -> std::string {
+       return "The model is out of reach: intervals of the rock that exclude the measured value are left "
+              "out.";
+     }},
+};
+
+const std::vector<Wording> tests = {
+    {Kind::cracks_off_centre,
+     [](F f) {
+       return fmt::format(
+           "in {:.0f} of {} on unseen packings the first crack lies outside the central third of the disc. "
+           "Peak loads are compared all the same.",
+           f.number("tests"), counted_text(f.number("of"), "test"));
+     },
+     true},
+    {Kind::peaks_missing,
+     [](F f) {
+       return fmt::format("{:.0f} of {} on unseen packings gave no usable peak ({}).", f.number("tests"),
+                          counted_text(f.number("of"), "test"), f.names.front());
+     },
+     true},
+    {Kind::tests_marked,
+     [](F f) {
+       return fmt::format("{:.0f} of {} on unseen packings carry a warning of {}.", f.number("tests"),
+                          counted_text(f.number("of"), "test"), f.names.front());
+     }},
+    {Kind::tests_unmarked,
+     [](F f) {
+       return fmt::format(
+           "{:.0f} of {} on unseen packings are of an older version, which did not assess them.",
+           f.number("tests"), counted_text(f.number("of"), "test"));
+     }},
+    {Kind::tests_change_modulus,
+     [](F f) {
+       return fmt::format(
+           "E and nu of the table are read at small strain (E_is). At half of UCS the tests measure E "
+           "{:+.0f} "
+           "% in the mean over the angles.",
+           100.0 * f.number("change"));
+     }},
+    {Kind::modulus_without_test,
+     [](F) -> std::string {
+       return "no strength of the same test to read it with; the nearest tests of the table stand in.";
+     },
+     true},
+    {Kind::packings_wanted,
+     [](F) -> std::string {
+       return "Strengths of packings of this size differ much: a larger --max-tests takes more unseen ones.";
+     }},
+    {Kind::packings_added,
+     [](F f) {
+       return fmt::format(
+           "Strengths of packings of this size differ so much that {:.0f} unseen ones were taken instead of "
+           "{:.0f}.",
+           f.number("packings"), f.number("usual"));
+     }},
+    {Kind::toughness_compared,
+     [](F f) {
+       return fmt::format("{} is compared, not fitted, with grains of {:.3g} mm: {}.", cells_text(f.cells),
+                          f.number("grain_size") * 1e3,
+                          std::isfinite(f.number("model")) ? both(f) + ", " + miss(f) : "no answer");
+     }},
+    {Kind::toughness_grains, toughness_grains},
+    {Kind::toughness_grains_unfit,
+     [](F f) {
+       return fmt::format(
+           "At the same strengths K_Ic asks for grains of {:.2g} mm, too {} for this specimen.",
+           f.number("wanted") * 1e3, f.number("wanted") > f.number("grain_size") ? "large" : "many");
+     }},
+};
+
+const std::vector<Wording> search = {
+    {Kind::search_short,
+     [](F f) {
+       return fmt::format("The search was short ({} in compression): {} may come nearer.",
+                          counted_text(f.number("tests"), "test"), list_text(f.names));
+     }},
+    {Kind::search_cut,
+     [](F f) {
+       return fmt::format("--max-tests paid for {:.0f} of the {:.0f} points of a {} search.",
+                          f.number("paid"), f.number("points"), f.names.front());
+     }},
+    {Kind::draws_rough,
+     [](F f) {
+       return fmt::format(
+           "The {:.0f} draws behind the intervals of the strengths are worth {:.0f} independent ones (R-hat "
+           "{:.2f}): the ends are rough.",
+           f.number("draws"), f.number("effective"), f.number("r_hat"));
+     }},
+    {Kind::peaks_left_out,
+     [](F f) {
+       return fmt::format("{:.0f} of {} of the search gave no usable peak and were left out.",
+                          f.number("tests"), counted_text(f.number("of"), "test"));
+     }},
+    {Kind::unsettled_tests,
+     [](F f) {
+       return unsettled(
+           fmt::format("tests there were {:.1f} tolerances off the prediction", f.number("tolerances")));
+     }},
+    {Kind::unsettled_known,
+     [](F f) {
+       return unsettled(
+           fmt::format("its strengths are known to {:.1f} tolerances only", f.number("tolerances")));
+     }},
+    {Kind::unsettled_moved,
+     [](F) { return unsettled("it moved to where less is known than where it was tried"); }},
+    {Kind::eq1_refused,
+     [](F f) {
+       return fmt::format("Eq. 1 does not fit the table ({}): the joints are as stiff as is admissible.",
+                          f.names.front());
+     }},
+    {Kind::eq2_line,
+     [](F f) {
+       return fmt::format(
+           "Eq. 2 on these packings: K_{0} = {1:.4g} k_{0} {2:+.4g} GPa/m, R2 = {3:.5f}. By Eq. 1 through "
+           "the "
+           "table K_{0} = {4:.4g} GPa/m.",
+           f.names.front(), f.number("slope"), f.number("intercept") * 1e-9, f.number("R2"),
+           f.number("wanted") * 1e-9);
+     }},
+    {Kind::sequence_unsettled,
+     [](F f) {
+       return fmt::format("The strengths still moved in round {:.0f}, the last.", f.number("rounds"));
+     }},
+    {Kind::peaks_skipped,
+     [](F f) {
+       return fmt::format(
+           "{:.0f} of {} of the search gave no usable peak: the strength was left at the best so far.",
+           f.number("tests"), counted_text(f.number("of"), "test"));
+     }},
+    {Kind::step_missed,
+     [](F f) {
+       return fmt::format("{} could not be met within {} by {}.", cells_text(f.cells),
+                          percent_text(f.number("limit")), f.names.front());
+     }},
+    {Kind::values_unused,
+     [](F f) { return fmt::format("The sequence compares {} and does not use them.", cells_text(f.cells)); }},
+};
+
+}  // namespace
+
+const std::vector<Wording>& words_of_calibration() {
+  static const std::vector<Wording> all = [] {
+    std::vector<Wording> list;
+    for (const auto* part : {&values, &causes, &models, &tests, &search})
+      list.insert(list.end(), part->begin(), part->end());
+    return list;
+  }();
+  return all;
+}
+
+std::string text(Advice advice, F of) {
+  const auto wanted = [&] { return of.number("wanted") * 1e3; };
+  switch (advice) {
+    case Advice::see_findings: return "see the findings";
+    case Advice::resume: return "the same command with --resume";
+    case Advice::use_model: return "run it (calibrated.toml)";
+    case Advice::calibrate_strengths: return "calibrate with strengths";
+    case Advice::test_parameter: return "test " + of.names.front();
+    case Advice::fill_gap: return "test specimens in that gap";
+    case Advice::more_specimens: return "test more specimens of " + cells_text(of.cells);
+    case Advice::smaller_grains:
+      return "take smaller grains in the rock's recipe (packing.radius_min, packing.radius_max)";
+    case Advice::check_value:
+      return "check " + cells_text(of.cells) + " in the table, or test more specimens there";
+    case Advice::check_nu:
+      return "check how nu was measured (it counts in the plane of load and dip), or leave it out";
+    case Advice::check_E_is: return "check E_is, the part of the curve that E of the table is read from";
+    case Advice::check_angles:
+      return "check the angles of the table and E_is, the part of the curve that E is read from";
+    case Advice::check_initiation:
+      return "check how sigma_ci was read (by crack volumetric strain here), or leave it out";
+    case Advice::one_confinement:
+      return "set `confining` in the rock file to the stress that matters; E and nu under others are left "
+             "out";
+    case Advice::without_sequence:
+      return "calibrate without --method sequence, which fits all moduli together";
+    case Advice::choose_layers:
+      return "set layers = \"choose\" in a rock file whose recipe has no layers: other models are compared";
+    case Advice::take_where_met: return "take the model only at angles where it meets the table";
+    case Advice::leave_out_ucs:
+      return "take UCS from the table: the models that were compared do not meet it";
+    case Advice::leave_out_tension: return "leave the tensile strengths out if compression is what matters";
+    case Advice::leave_out_toughness:
+      return fmt::format("leave K_Ic out: it asks for grains of {:.2g} mm, which this specimen cannot hold",
+                         wanted());
+    case Advice::other_grains:
+      return fmt::format("take grains of {:.2g} mm in place of {:.2g} mm", wanted(),
+                         of.number("grain_size") * 1e3);
+    case Advice::flat_joints: return "try --matrix flat_joint: flat joints break in tension at less of UCS";
+    case Advice::slits: return "try --matrix flat_joint: slits let cracks begin early";
+    case Advice::other_layers: return "try another model (layers)";
+    case Advice::other_layers_or_matrix: return "try another model (layers, --matrix)";
+    case Advice::try_rival:
+      return fmt::format("try {} in a new folder, with {}", of.names[0],
+                         list_text({of.names.begin() + 2, of.names.end()}));
+    case Advice::longer_search: return "start a new folder with " + list_text(of.names);
+    case Advice::search_again: return "search again (--effort, packing.seed)";
+    case Advice::search_again_by:
+      return fmt::format("search again (--effort, packing.seed) with {}", of.names.front());
+    case Advice::try_model: return fmt::format("try {} (layers, --matrix)", of.names.front());
+    case Advice::more_tests: return "take a larger --max-tests";
+    case Advice::none: break;
+  }
+  return "";
+}
+
+}  // namespace phy::report
