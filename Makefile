@@ -159,6 +159,7 @@ lint:
 	@python3 tools/check_floors.py
 	@python3 tools/tools_test.py --quiet
 	@python3 tools/check_functions.py
+	@python3 tools/status.py --check
 
 # By the commands of a build without batches, which need not be run.
 tidy:
@@ -217,6 +218,7 @@ docs: deps-docs build
 	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference; $(BUILD)/phyllite rock --reference) > docs/reference.md
 	$(BUILD)/phyllite rock --tables > docs/tables.md
 	$(BUILD)/phyllite verify --markdown > docs/verification.md
+	python3 tools/status.py
 	@sphinx-build -q -W --keep-going -b html -c docs/site -d build/doctrees docs build/site
 	@echo "docs: build/site/index.html, for any browser, without a network"
 

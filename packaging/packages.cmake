@@ -23,7 +23,7 @@ endif()]] COMPONENT program)
 install(FILES ${PHY_SHARE}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/\${PHY_ZSH} RENAME _phyllite
         COMPONENT program)
 install(FILES README.md CONTRIBUTING.md CITATION.cff packaging/copyright DESTINATION ${PHY_DOC} COMPONENT program)
-install(DIRECTORY docs examples DESTINATION ${PHY_DOC} COMPONENT program)
+install(DIRECTORY docs examples measured DESTINATION ${PHY_DOC} COMPONENT program)
 install(DIRECTORY data/rocks DESTINATION ${PHY_DOC}/data COMPONENT program)
 
 # Who stands for a package: as Debian's tools ask for it, DEBFULLNAME and DEBEMAIL.

@@ -36,12 +36,18 @@ void print_plain(const verification::VerificationCase& c, const std::vector<veri
   for (const verification::Check& k : checks) print_check(k, width);
 }
 
+/// A bar would end the cell.
+std::string in_a_cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
+  return text;
+}
+
 void print_markdown(const verification::VerificationCase& c, const std::vector<verification::Check>& checks) {
   print_out("\n## {} - {}\n\nSource: {}. Tolerance: {}.\n\n", c.id, c.claim, c.source, c.why);
   print_out("| quantity | expected | measured | tolerance | |\n|---|---|---|---|---|\n");
   for (const verification::Check& k : checks)
-    print_out("| {} | {:.9e} | {:.9e} | {:.2g} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
-              k.passed() ? "ok" : "FAIL");
+    print_out("| {} | {:.9e} | {:.9e} | {:.2g} | {} |\n", in_a_cell(k.what), k.expected, k.measured,
+              k.tolerance, k.passed() ? "ok" : "FAIL");
 }
 
 std::vector<std::string> ids_of_cases() {

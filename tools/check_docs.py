@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+"""Holds the documents to the rules of CONTRIBUTING, "Words": short sentences, few numbers, small cells, sound tables, live links.
+
+Usage: check_docs.py [--list] [PAGE...]. Without pages: every page of the repository. `--list` prints a line per page: sentences,
+median length, share above 30 words. Exit code 1 if a rule is broken. `make lint` runs it.
+"""
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+WORDS, NUMBERS, CELL = 30, 3, 20  # at most, in a sentence, in a sentence, in a cell of a table
+STATUS_CELL = 8
+MEDIAN = 15  # words, of the pages that a user reads from the beginning to the end
+READ_THROUGH = ("README.md", "docs/calibration.md", "docs/tutorials/")
+# Written by the program or from stored results: their words are the program's, so only tables and links are looked at.
+GENERATED = ("docs/reference.md", "docs/tables.md", "docs/verification.md", "docs/paper.md", "docs/evidence.md", "docs/status.md")
+# Not held to the rules of sentences: what was decided, with the measurements of its day.
+RECORDS = ("docs/decisions/", "CHANGELOG.md")
+EVASIONS = re.compile(r"\b(that|those) of\b(?! (?:the )?(?:which|whom))|\bthe (?:same|latter|former) of\b", re.I)
+MONTHS = "January|February|March|April|May|June|July|August|September|October|November|December"
+DATE = re.compile(rf"\b\d{{1,2}} (?:{MONTHS})\b|\b20\d\d-\d\d-\d\d\b")
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?(?![\w])")
+ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|etc|cf|vs|al|Fig|Figs|Eq|Eqs|Sec|Vol|No|pp|J|C|Geol|Mag|Int|Min|Sci|Dr)\.")
+
+
+class Page:
+    """A Markdown file in pieces: paragraphs (a list item is one), tables, headings and links, each with its line."""
+
+    def __init__(self, path):
+        self.path, self.name = path, path.relative_to(ROOT).as_posix()
+        self.paragraphs, self.tables, self.headings, self.links, self.anchors = [], [], [], [], set()
+        paragraph, table, fence, comment = [], [], None, False
+        lines = path.read_text(encoding="utf-8").split("\n")
+        for number, line in enumerate(lines + [""], 1):
+            text = line.strip()
+            if fence:
+                fence = None if text.startswith(fence) else fence
+                continue
+            if text.startswith("```"):
+                fence, text = "```", ""
+            elif line.startswith("    ") and not paragraph and not re.match(r"\s*([-*]|\d+\.) ", line) and not self.in_list(lines, number):
+                text = ""  # code
+            elif text.startswith("<!--") or text.startswith("<") and text.endswith(">"):
+                self.anchors.update(re.findall(r'id="([^"]+)"', text))
+                text = ""
+            elif text.startswith("#"):
+                self.headings.append((number, text))
+                text = ""
+            if text.startswith("|"):
+                table.append((number, text))
+                text = ""
+            elif table:
+                self.tables.append(table)
+                table = []
+            begins = re.match(r"([-*]|\d+\.) ", text) or line.startswith(": ")
+            if paragraph and (not text or begins):
+                self.paragraphs.append((paragraph[0][0], " ".join(t for _, t in paragraph)))
+                paragraph = []
+            if text:
+                paragraph.append((number, re.sub(r"^([-*]|\d+\.|:) +", "", text)))
+            if not fence:
+                self.links += [(number, target) for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line))]
+        self.anchors.update(slug(text) for _, text in self.headings)
+
+    @staticmethod
+    def in_list(lines, number):
+        for line in reversed(lines[max(0, number - 12):number - 1]):
+            if re.match(r"\s*([-*]|\d+\.) ", line):
+                return True
+            if line and not line.startswith(" "):
+                return False
+        return False
+
+
+def slug(heading):
+    text = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", r"\1", heading.lstrip("#").strip()).lower()
+    return re.sub(r"[^\w\- ]", "", text).replace(" ", "-")
+
+
+def plain(text):
+    """Words as they are read: code is one word, a link its text."""
+    text = re.sub(r"`[^`]*`", "CODE", text)
+    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    return re.sub(r"\*+|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)", "", text)
+
+
+def sentences(paragraph):
+    text = ABBREVIATIONS.sub(r"\1", plain(paragraph))
+    return [s for s in re.split(r"(?<=[.!?])[\")]*\s+(?=[\"(]?[A-Z]|\d|[a-z]+_|(?:nu|mu|phi|theta|beta)\b)", text) if words(s)]
+
+
+def numbers(sentence):
+    """Numbers that a reader has to take in: not the angle of UCS(60), not the number of an equation, not an exponent or an index."""
+    text = re.sub(r"\b[A-Za-z_]\w*\([^()]*\)|\b(?:Eq|Eqs|Fig|Table|Tables|decision) [\d, and-]+|\^\S+|\b\d(?=D\b)", "x", sentence)
+    return len(NUMBER.findall(text))
+
+
+def words(text):
+    return len([w for w in text.split() if re.search(r"\w", w)])
+
+
+def cells(row):
+    text = re.sub(r"`[^`]*`", lambda m: m[0].replace("|", "/"), row.replace("\\|", "/"))
+    return [c.strip() for c in text.strip().strip("|").split("|")] if text.strip() != "|" else []
+
+
+def problems_of_text(page):
+    if page.name.startswith(RECORDS):
+        return
+    for line, paragraph in page.paragraphs:
+        if DATE.search(plain(paragraph)):
+            yield line, f"a date: {DATE.search(plain(paragraph))[0]}"
+        for s in sentences(paragraph):
+            if words(s) > WORDS:
+                yield line, f"{words(s)} words: {s[:90]}"
+            if numbers(s) > NUMBERS:
+                yield line, f"{numbers(s)} numbers: {s[:90]}"
+            if found := EVASIONS.search(s):
+                yield line, f'"{found[0]}": {s[max(0, found.start() - 40):found.end() + 40]}'
+
+
+def problems_of_tables(page):
+    limit = STATUS_CELL if page.name == "docs/status.md" else CELL
+    for table in page.tables:
+        if len(table) < 2 or not re.fullmatch(r"[\s|:-]+", table[1][1]):
+            yield table[0][0], "a table without a head"
+            continue
+        columns = len(cells(table[0][1]))
+        for line, row in table:
+            if len(cells(row)) != columns:
+                yield line, f"{len(cells(row))} cells in a table of {columns} columns"
+            if page.name.startswith(RECORDS) or page.name in GENERATED and page.name != "docs/status.md":
+                continue
+            for cell in cells(row):
+                if words(plain(cell)) > limit:
+                    yield line, f"a cell of {words(plain(cell))} words: {plain(cell)[:90]}"
+
+
+def problems_of_links(page, pages):
+    for line, target in page.links:
+        if re.match(r"[a-z]+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = (page.path.parent / path).resolve() if path else page.path
+        if not file.exists():
+            yield line, f"a link to nowhere: {target}"
+        elif anchor and file.suffix == ".md" and anchor not in (pages.get(file) or Page(file)).anchors:
+            yield line, f"no such heading: {target}"
+
+
+def main(arguments):
+    listed, names = "--list" in arguments, [a for a in arguments if not a.startswith("-")]
+    if not names:
+        names = subprocess.run(["git", "ls-files", "*.md"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
+    pages = {p: Page(p) for p in ((ROOT / n).resolve() for n in names) if p.exists()}
+    n_problems = 0
+    for page in pages.values():
+        found = list(problems_of_tables(page)) + list(problems_of_links(page, pages))
+        lengths = [words(s) for _, p in page.paragraphs for s in sentences(p)] or [0]
+        if page.name not in GENERATED:
+            found += problems_of_text(page)
+            if page.name.startswith(READ_THROUGH) and statistics.median(lengths) > MEDIAN:
+                found.append((1, f"median of {statistics.median(lengths):g} words a sentence, at most {MEDIAN}"))
+        if listed:
+            long = 100.0 * sum(n > WORDS for n in lengths) / len(lengths)
+            print(f"{len(lengths):5} {statistics.median(lengths):5g} {long:5.1f} % {len(found):4}  {page.name}")
+        else:
+            for line, text in sorted(found):
+                print(f"{page.name}:{line}: {text}")
+        n_problems += len(found)
+    print(f"documents: {len(pages)} pages, {n_problems} problem(s)")
+    return n_problems > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
