@@ -222,7 +222,7 @@ docs: deps-docs build
 	@sphinx-build -q -W --keep-going -b html -c docs/site -d build/doctrees docs build/site
 	@echo "docs: build/site/index.html, for any browser, without a network"
 
-# The pages of report.html and of phyllite lab, bundled from web/src (web/report.html and web/lab.html are committed: building needs no node).
+# The pages of report.html and of phyllite gui, bundled from web/src (web/report.html and web/gui.html are committed: building needs no node).
 web:
 	@cd web && npm ci --ignore-scripts --silent --no-audit --no-fund && npx tsc --noEmit && node build.mjs
 

@@ -19,7 +19,7 @@ FLOORS = {
     "study": 5, "report": 5,
     "calibrate": 6, "verification": 6,
     "jobs": 7,
-    "cli": 8, "desk": 8, "python": 8,
+    "cli": 8, "gui": 8, "python": 8,
 }
 MAKES_RESULTS = {"laws", "contact", "engine", "analysis", "genesis", "lab", "statics"}
 NEVER = {("analysis", "engine"), ("analysis", "genesis")}

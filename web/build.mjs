@@ -1,4 +1,4 @@
-// Bundles src/ into report.html and lab.html, files without references: `phyllite` carries them. Into the report it puts the data.
+// Bundles src/ into report.html and gui.html, files without references: `phyllite` carries them. Into the report it puts the data.
 import { build } from "esbuild";
 import { readFile, writeFile } from "node:fs/promises";
 
@@ -16,4 +16,4 @@ async function bundle(script, style, page, out) {
 }
 
 await bundle("src/main.ts", "src/style.css", "src/page.html", "report.html");
-await bundle("src/lab/lab.ts", "src/lab/lab.css", "src/lab/page.html", "lab.html");
+await bundle("src/gui/gui.ts", "src/gui/gui.css", "src/gui/page.html", "gui.html");

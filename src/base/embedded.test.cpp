@@ -13,7 +13,7 @@ namespace {
 
 TEST(Embedded, IsTheFile) {
   for (const std::string path :
-       {"web/report.html", "web/lab.html", "tests/recorded.txt", "data/maps/flat-joint.csv",
+       {"web/report.html", "web/gui.html", "tests/recorded.txt", "data/maps/flat-joint.csv",
         "data/maps/parallel-bond-bridges-crossing.csv"}) {
     std::ifstream file(std::string(PHY_SOURCE_DIR "/") + path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -44,7 +44,7 @@ void add_envelope_command(CLI::App& app, Session& session);
 void add_study_command(CLI::App& app, Session& session);
 void add_elastic_command(CLI::App& app, Session& session);
 /// What people and shells know of all other verbs: comes last.
-void add_lab_command(CLI::App& app, Session& session);
+void add_gui_command(CLI::App& app, Session& session);
 void add_man_command(CLI::App& app, Session& session);
 void add_completion_command(CLI::App& app, Session& session);
 

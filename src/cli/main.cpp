@@ -118,7 +118,7 @@ int run(int argc, char** argv) {
   phy::cli::add_export_command(app, session);
   phy::cli::add_compare_command(app, session);
   phy::cli::add_envelope_command(app, session);
-  phy::cli::add_lab_command(app, session);
+  phy::cli::add_gui_command(app, session);
   phy::cli::add_man_command(app, session);
   phy::cli::add_completion_command(app, session);
   refuse_empty_names(app);

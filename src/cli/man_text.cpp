@@ -214,7 +214,7 @@ const std::vector<ManText>& texts() {
        {{"",
          "phyllite envelope examples/pfc2d/specimen.toml --confining \"0 MPa,5 MPa,10 MPa\" --out "
          "results/envelope"}}},
-      {"lab",
+      {"gui",
        "Serves a page to work in on 127.0.0.1, for a browser on the same machine, and prints its address, "
        "which "
        "is a key: whoever has it can use the page. On it a table is typed or pasted and checked, a rock "

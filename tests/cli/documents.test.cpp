@@ -63,12 +63,12 @@ class Documents : public ProgramTest {
 /// The same command on something small.
 std::string small(const std::string& shown) {
   static const std::map<std::string, std::string> whole = {
-      // the page runs until it is stopped: tests/cli/lab.test.cpp
-      {"lab rocks", "lab --help"},
-      {"lab rocks --port 8642", "lab --help"},
+      // the page runs until it is stopped: tests/cli/gui.test.cpp
+      {"gui rocks", "gui --help"},
+      {"gui rocks --port 8642", "gui --help"},
       {"rock check shale.toml", "rock check rock.toml"},
-      {"calibrate shale.toml --out shale-calibration", "calibrate rock.toml --elastic --out again/lab"},
-      {"report shale-calibration", "report again/lab"},
+      {"calibrate shale.toml --out shale-calibration", "calibrate rock.toml --elastic --out again/gui"},
+      {"report shale-calibration", "report again/gui"},
       {"run shale-tests/pull.toml --out shale-tests/pull", "run small.toml --out again/pull"},
       {"calibrate ROCK", "calibrate rock.toml --elastic --out again/one"},
       {"calibrate ROCK --out FOLDER", "calibrate rock.toml --elastic --out again/two"},

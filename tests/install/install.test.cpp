@@ -248,7 +248,7 @@ TEST_F(Install, TheLicencesOfWhatTheProgramContainsAreShown) {
   EXPECT_GE(named.size(), 7U);
   EXPECT_EQ(named, told);
   // The pages carry those of their parts by themselves: whoever gets a report has no other file.
-  for (const char* name : {"web/report.html", "web/lab.html"})
+  for (const char* name : {"web/report.html", "web/gui.html"})
     EXPECT_THAT(slurp(fs::path(PHY_SOURCE_DIR) / name),
                 HasSubstr("<!-- " + slurp(fs::path(PHY_SOURCE_DIR) / "web/LICENCES").substr(0, 2500)))
         << name;

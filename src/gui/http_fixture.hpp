@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace phy::desk {
+namespace phy::gui {
 
 /// A connection; what is not answered within ten seconds is no answer.
 class Wire {
@@ -77,4 +77,4 @@ inline Answer ask(int port, const std::string& line, const std::string& fields,
   return answer_in(wire.rest());
 }
 
-}  // namespace phy::desk
+}  // namespace phy::gui

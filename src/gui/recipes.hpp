@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "records/recipe.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 
 using Json = nlohmann::ordered_json;
 
@@ -25,4 +25,4 @@ std::optional<Problem> missing_stress(const Recipe& recipe);
 /// Throws what io::read_recipe throws.
 Json recipe_answer(const std::string& base, const std::map<std::string, std::string>& changes);
 
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -1,4 +1,4 @@
-// `phyllite lab FOLDER`: a page to work in, for a browser on this machine.
+// `phyllite gui FOLDER`: a page to work in, for a browser on this machine.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -10,38 +10,38 @@
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
-#include "desk/desk.hpp"
+#include "gui/api.hpp"
 #include "io/file.hpp"
 
 namespace phy::cli {
 namespace {
 
-struct LabArguments {
+struct GuiArguments {
   std::string folder = ".";
   int port = usual;
   static constexpr int usual = -1, first = 7337;
 };
 
 /// The same port every time, where it is free: browsers keep what was typed by address and port.
-std::unique_ptr<desk::Server> server_at(int port, const desk::Tokens& tokens, const desk::Handler& handler) {
+std::unique_ptr<gui::Server> server_at(int port, const gui::Tokens& tokens, const gui::Handler& handler) {
   const auto at = [&](int p) {
-    return std::make_unique<desk::Server>(static_cast<unsigned short>(p), tokens, handler);
+    return std::make_unique<gui::Server>(static_cast<unsigned short>(p), tokens, handler);
   };
-  if (port != LabArguments::usual) return at(port);
+  if (port != GuiArguments::usual) return at(port);
   try {
-    return at(LabArguments::first);
+    return at(GuiArguments::first);
   } catch (const IoError&) {
     return at(0);
   }
 }
 
-int run_lab(const LabArguments& args, const Session& session) {
+int run_gui(const GuiArguments& args, const Session& session) {
   io::check_writable(args.folder);
   std::filesystem::current_path(args.folder);
-  const desk::Tokens tokens = {desk::random_token(), desk::random_token()};
-  desk::Desk desk(session.threads, tokens.file);
+  const gui::Tokens tokens = {gui::random_token(), gui::random_token()};
+  gui::Api api(session.threads, tokens.file);
   const auto server =
-      server_at(args.port, tokens, [&](const desk::Request& request) { return desk.answer(request); });
+      server_at(args.port, tokens, [&](const gui::Request& request) { return api.answer(request); });
   const int width = session.terminal_width;
   print_out("{}\n", server->address());
   print_wrapped(
@@ -52,11 +52,11 @@ int run_lab(const LabArguments& args, const Session& session) {
   print_wrapped(width, 2, "Ctrl-C ends it; what it runs then keeps what is finished\n");
   flush_out();
   const bool all_answered = server->run(*stop_on_interrupt());
-  for (const std::string& folder : desk.running())
-    print_wrapped(width, 2, "stopping what writes {}: `phyllite lab`, started again, can go on with it\n",
+  for (const std::string& folder : api.running())
+    print_wrapped(width, 2, "stopping what writes {}: `phyllite gui`, started again, can go on with it\n",
                   folder);
   flush_out();
-  desk.end();
+  api.end();
   // Nobody will read what is still being answered, and it may take long.
   if (!all_answered) std::_Exit(0);
   return 0;
@@ -64,10 +64,10 @@ int run_lab(const LabArguments& args, const Session& session) {
 
 }  // namespace
 
-void add_lab_command(CLI::App& app, Session& session) {
-  auto args = std::make_shared<LabArguments>();
+void add_gui_command(CLI::App& app, Session& session) {
+  auto args = std::make_shared<GuiArguments>();
   CLI::App* verb = app.add_subcommand(
-      "lab", "a page to work in: type a table, calibrate, test (in a browser on this machine)");
+      "gui", "a page to work in: type a table, calibrate, test (in a browser on this machine)");
   verb->add_option("folder", args->folder, "where its files are; made if it is missing")
       ->capture_default_str()
       ->type_name("FOLDER");
@@ -75,9 +75,9 @@ void add_lab_command(CLI::App& app, Session& session) {
           "--port", args->port,
           fmt::format("port on 127.0.0.1; 0: one that is free; default: {}, or one that is free where "
                       "that is taken",
-                      LabArguments::first))
+                      GuiArguments::first))
       ->check(CLI::Range(0, 65535));
-  verb->callback([args, &session] { session.exit_code = run_lab(*args, session); });
+  verb->callback([args, &session] { session.exit_code = run_gui(*args, session); });
 }
 
 }  // namespace phy::cli

@@ -1,4 +1,4 @@
-#include "desk/recipes.hpp"
+#include "gui/recipes.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@
 #include "records/recipe_schema.hpp"
 #include "records/test_description.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 constexpr const char* test_table = "test";
@@ -130,4 +130,4 @@ Json recipe_answer(const std::string& base, const std::map<std::string, std::str
   return {{"toml", std::move(toml)}, {"problems", std::move(problems)}};
 }
 
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -1,4 +1,4 @@
-#include "desk/server.hpp"
+#include "gui/server.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,9 +12,9 @@
 
 #include "base/check.hpp"
 #include "base/in_folder_fixture.hpp"
-#include "desk/http_fixture.hpp"
+#include "gui/http_fixture.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 using testing::AllOf;
@@ -231,4 +231,4 @@ TEST(Token, IsLongAndAnotherEveryTime) {
 }
 
 }  // namespace
-}  // namespace phy::desk
+}  // namespace phy::gui

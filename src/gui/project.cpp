@@ -1,4 +1,4 @@
-#include "desk/project.hpp"
+#include "gui/project.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "io/rock_template.hpp"
 #include "io/toml_tree.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 
 namespace fs = std::filesystem;
 
@@ -230,4 +230,4 @@ std::string content_type(const std::string& path) {
   return type == types.end() ? "application/octet-stream" : type->second;
 }
 
-}  // namespace phy::desk
+}  // namespace phy::gui

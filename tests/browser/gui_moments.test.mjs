@@ -1,4 +1,4 @@
-// The page of `phyllite lab` where time, an answer or a file of another moment is needed: answers of the program are delayed or changed on
+// The page of `phyllite gui` where time, an answer or a file of another moment is needed: answers of the program are delayed or changed on
 // their way to the page, and a calibration is laid down instead of computed. `make browser` runs it with the other pages.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -9,7 +9,7 @@ import { after, before, test } from "node:test";
 import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
 
 const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
-const folder = mkdtempSync(join(tmpdir(), "phyllite-desk-"));
+const folder = mkdtempSync(join(tmpdir(), "phyllite-gui-"));
 const headings = "theta [deg];E [GPa];nu;UCS [MPa];DTS [MPa];specimen;depth of the core in the borehole;remark of the laboratory\n";
 const table = `${headings}0;8,9;0,2;92,5;3,1;S1;12,5;dry\n45;7,3;0,25;56,5;;S2;13,1;dry\n90;53,6;0,21;102,5;;S3;14;dry\n`;
 const calibrated = `name = "slate, the nearest model"\n[specimen]\nwidth = "8 mm"\nheight = "16 mm"\n[packing]\nn_grains = 330\n[matrix]\nsigma_c = "40 MPa"\ntau_c = "40 MPa"\n[[bedding]]\nspacing = "2 mm"\n[test]\nplaten_speed = "0.2 m/s"\nmax_strain = 2e-3\n`;
@@ -32,7 +32,7 @@ before(async () => {
   writeFileSync(join(folder, "slate-calibration/calibrated.toml"), calibrated);
   writeFileSync(join(folder, "slate-calibration/calibration.json"), JSON.stringify({ format: 1, rock: "slate", verdict }));
   writeFileSync(join(folder, "slate-calibration/tables.txt"), "UCS 12 % off\n");
-  program = spawn(phyllite, ["--threads", "2", "lab", folder, "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
+  program = spawn(phyllite, ["--threads", "2", "gui", folder, "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
   address = await new Promise((resolve, reject) => {
     let said = "";
     program.stdout.on("data", (bytes) => {

@@ -25,7 +25,7 @@ function section(id: string, title: string, ...children: Node[]): HTMLElement {
 
 // --- the program answers, or not ------------------------------------------------------------------------------
 
-const away = h("div", { class: "notice", role: "alert" }, h("strong", {}, "The program has been stopped. "), "Start ", h("code", {}, "phyllite lab"), " again in this folder. The table as typed is kept in this browser.");
+const away = h("div", { class: "notice", role: "alert" }, h("strong", {}, "The program has been stopped. "), "Start ", h("code", {}, "phyllite gui"), " again in this folder. The table as typed is kept in this browser.");
 const stranger = h("div", { class: "notice", role: "alert" }, h("strong", {}, "The program does not know this page any more. "), "Open the address that it has printed. The table as typed is kept in this browser.");
 const trouble = h("div", { class: "notice", role: "alert" });
 for (const n of [away, stranger, trouble]) n.hidden = true;
@@ -190,7 +190,7 @@ function layOut(answer: RockAnswer) {
 
   open = { rock, show, meet, running: false };
   document.getElementById("title")!.textContent = name;
-  document.title = `${name} – Phyllite lab`;
+  document.title = `${name} – Phyllite`;
   show();
   rock.takeDraft();
   meet(answer);

@@ -1,4 +1,4 @@
-#include "desk/recipes.hpp"
+#include "gui/recipes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "io/toml_in.hpp"
 #include "records/test_description.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 using testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST_F(RecipesTest, KeysAreThoseOfTheOneList) {
 }
 
 }  // namespace
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace phy::desk {
+namespace phy::gui {
 
 /// "phyllite calibrate 'my rock.toml'"
 std::string command_of(const std::vector<std::string>& words);
@@ -48,4 +48,4 @@ class Child {
   void ended(int status);
 };
 
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -1,4 +1,4 @@
-#include "desk/child.hpp"
+#include "gui/child.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -14,7 +14,7 @@
 #include "base/quote.hpp"
 #include "io/file.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 /// What the new process has open: nothing of this one's connections.
@@ -36,7 +36,7 @@ class Actions {
   posix_spawn_file_actions_t actions_;
 };
 
-/// A process group of its own: Ctrl-C on the terminal of `phyllite lab` reaches that alone, which passes it
+/// A process group of its own: Ctrl-C on the terminal of `phyllite gui` reaches that alone, which passes it
 /// on.
 class Attributes {
  public:
@@ -102,4 +102,4 @@ bool Ending::ask(pid_t process) {
   return kill(process, now - since_ < patience ? 0 : SIGKILL) == 0;
 }
 
-}  // namespace phy::desk
+}  // namespace phy::gui

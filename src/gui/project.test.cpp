@@ -1,4 +1,4 @@
-#include "desk/project.hpp"
+#include "gui/project.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "base/in_folder_fixture.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ TEST_F(ProjectTest, ServesFilesOfTheFolderAlone) {
 }
 
 }  // namespace
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -1,9 +1,9 @@
-#include "desk/table_check.hpp"
+#include "gui/table_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 using testing::HasSubstr;
@@ -85,4 +85,4 @@ TEST(TableCheck, RubbishIsAnsweredToo) {
 }
 
 }  // namespace
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -1,4 +1,4 @@
-// The page of `phyllite lab` in Debian's Chromium, by visible labels alone: from a pasted table to a calibrated rock and a test on it.
+// The page of `phyllite gui` in Debian's Chromium, by visible labels alone: from a pasted table to a calibrated rock and a test on it.
 // `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser. The tests follow one another on one small rock, whose specimens
 // take long enough to be seen in the press: what is shown of it is written once in a second.
 import assert from "node:assert/strict";
@@ -12,7 +12,7 @@ import { after, before, test } from "node:test";
 import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
 
 const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
-const folder = mkdtempSync(join(tmpdir(), "phyllite-lab-"));
+const folder = mkdtempSync(join(tmpdir(), "phyllite-gui-"));
 const file = (name) => readFileSync(join(folder, name), "utf8");
 const model = `[specimen]\nwidth = "15 mm"\nheight = "30 mm"\n[packing]\nn_grains = 1160\n[[bedding]]\nspacing = "3 mm"\nrule = "crossing"\n[engine]\nprecision = "float"\n`;
 const copied = "theta [deg]\tE [GPa]\tUCS [MPa]\r\n0\t8,9\t92,5\r\n45\t7,3\t5o\r\n90\t53,6\t102,5\r\n"; // out of a spreadsheet; one letter for a digit
@@ -24,7 +24,7 @@ let page; // the tab that most is done in
 
 /** Starts the program and waits for the address that it prints. */
 function start(port = 0) {
-  program = spawn(phyllite, ["--threads", "2", "lab", folder, "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
+  program = spawn(phyllite, ["--threads", "2", "gui", folder, "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
   return new Promise((resolve, reject) => {
     let said = "";
     program.stdout.on("data", (bytes) => {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace phy::desk {
+namespace phy::gui {
 
 using Json = nlohmann::ordered_json;
 
@@ -13,4 +13,4 @@ using Json = nlohmann::ordered_json;
 /// disk.
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table);
 
-}  // namespace phy::desk
+}  // namespace phy::gui

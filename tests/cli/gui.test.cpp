@@ -1,4 +1,4 @@
-// `phyllite lab`: what its page asks for, over the wire. The page itself: tests/browser/lab.test.mjs.
+// `phyllite gui`: what its page asks for, over the wire. The page itself: tests/browser/gui.test.mjs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
@@ -10,17 +10,17 @@
 #include <thread>
 
 #include "../program.hpp"
-#include "desk/http_fixture.hpp"
+#include "gui/http_fixture.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using phy::desk::Answer;
+using phy::gui::Answer;
 using testing::HasSubstr;
 
 /// The program as a server, in a folder of its own.
-class Lab : public ProgramTest {
+class Gui : public ProgramTest {
  protected:
   pid_t process = 0;
   int port = 0;
@@ -41,7 +41,7 @@ class Lab : public ProgramTest {
     const std::string said = at("said.txt");
     fs::remove(said);
     const std::string line =
-        "exec " + std::string(PHY_PROGRAM) + " --threads 2 lab " + home + " --port 0 > " + said + " 2>&1";
+        "exec " + std::string(PHY_PROGRAM) + " --threads 2 gui " + home + " --port 0 > " + said + " 2>&1";
     const char* arguments[] = {"sh", "-c", line.c_str(), nullptr};
     ASSERT_EQ(posix_spawn(&process, "/bin/sh", nullptr, nullptr, const_cast<char**>(arguments), environ), 0);
     const std::string mark = "?token=";
@@ -65,12 +65,12 @@ class Lab : public ProgramTest {
     return "Host: 127.0.0.1:" + std::to_string(port) + "\r\nX-Phyllite-Token: " + token + "\r\n";
   }
   Json get(const std::string& target) const {
-    const Answer answer = phy::desk::ask(port, "GET " + target, known());
+    const Answer answer = phy::gui::ask(port, "GET " + target, known());
     EXPECT_EQ(answer.status, 200) << target << "\n" << answer.body;
     return Json::parse(answer.body, nullptr, false);
   }
   Answer post(const std::string& target, const Json& asked) const {
-    return phy::desk::ask(port, "POST " + target, known(), asked.dump());
+    return phy::gui::ask(port, "POST " + target, known(), asked.dump());
   }
   Json done(const std::string& target, const Json& asked) const {
     const Answer answer = post(target, asked);
@@ -97,7 +97,7 @@ class Lab : public ProgramTest {
   }
 };
 
-TEST_F(Lab, WhatThePageStartsIsTheCommandThatItShows) {
+TEST_F(Gui, WhatThePageStartsIsTheCommandThatItShows) {
   save_rock();
   EXPECT_EQ(calibration()["state"], "new");
   const std::string command = done("/api/calibrate", {{"name", "shale"}, {"elastic", true}})["command"];
@@ -119,12 +119,12 @@ TEST_F(Lab, WhatThePageStartsIsTheCommandThatItShows) {
   done("/api/calibrate", {{"name", "shale"}, {"elastic", true}, {"anew", true}});
   EXPECT_EQ(waited()["folder"], "shale-calibration-2");
   EXPECT_TRUE(fs::exists(fs::path(home) / "shale-calibration/report.html"));
-  const Answer report = phy::desk::ask(port, "GET /files/shale-calibration/report.html", known());
+  const Answer report = phy::gui::ask(port, "GET /files/shale-calibration/report.html", known());
   EXPECT_EQ(report.status, 200);
   EXPECT_THAT(report.head, HasSubstr("sandbox"));
 }
 
-TEST_F(Lab, ATestIsARecipeAndItsResults) {
+TEST_F(Gui, ATestIsARecipeAndItsResults) {
   save_rock();
   done("/api/calibrate", {{"name", "shale"}, {"elastic", true}});
   waited();
@@ -149,7 +149,7 @@ TEST_F(Lab, ATestIsARecipeAndItsResults) {
   EXPECT_EQ(post("/api/test", {{"name", "shale"}, {"test", "pull"}, {"toml", "another"}}).status, 400);
 }
 
-TEST_F(Lab, StoppedAndTakenUpAgainAlsoByAnotherServer) {
+TEST_F(Gui, StoppedAndTakenUpAgainAlsoByAnotherServer) {
   save_rock();
   done("/api/calibrate", {{"name", "shale"}, {"max_tests", 72}});
   EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}}).status, 400);  // one at a time
@@ -174,7 +174,7 @@ TEST_F(Lab, StoppedAndTakenUpAgainAlsoByAnotherServer) {
   EXPECT_EQ(waited()["state"], "finished");
 }
 
-TEST_F(Lab, WhatCannotRunIsRefusedWithItsReason) {
+TEST_F(Gui, WhatCannotRunIsRefusedWithItsReason) {
   EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}}).status, 400);  // not saved
   save_rock();
   const Answer few = post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}});
@@ -191,11 +191,11 @@ TEST_F(Lab, WhatCannotRunIsRefusedWithItsReason) {
   EXPECT_EQ(post("/api/stop", {{"name", "shale"}}).status, 400);
   for (const char* body :
        {"", "{", "[]", "{\"name\": 3}", "{\"name\": \"../x\", \"toml\": \"\", \"table\": null}"})
-    EXPECT_EQ(phy::desk::ask(port, "POST /api/check", known(), std::string(body) + " ").status, 400) << body;
-  EXPECT_EQ(phy::desk::ask(port, "GET /api/no-such", known()).status, 404);
+    EXPECT_EQ(phy::gui::ask(port, "POST /api/check", known(), std::string(body) + " ").status, 400) << body;
+  EXPECT_EQ(phy::gui::ask(port, "GET /api/no-such", known()).status, 404);
 }
 
-TEST_F(Lab, ACalibrationOfATerminalIsSeenStoppedAndNotDisturbed) {
+TEST_F(Gui, ACalibrationOfATerminalIsSeenStoppedAndNotDisturbed) {
   save_rock();
   const std::string calibrate =
       std::string(PHY_PROGRAM) + " calibrate shale.toml --out shale-calibration --max-tests 72";
@@ -215,7 +215,7 @@ TEST_F(Lab, ACalibrationOfATerminalIsSeenStoppedAndNotDisturbed) {
 
 /// Requests that must be answered, with pipes and devices where files are looked for. `end` of a server that
 /// waits would not come back: the alarm ends the tests then.
-TEST_F(Lab, WhatIsNoFileIsNotWaitedFor) {
+TEST_F(Gui, WhatIsNoFileIsNotWaitedFor) {
   ::alarm(120);
   save_rock();
   const fs::path calibration = fs::path(home) / "shale-calibration", tests = fs::path(home) / "shale-tests";
@@ -238,7 +238,7 @@ TEST_F(Lab, WhatIsNoFileIsNotWaitedFor) {
                {{"name", "x"}, {"toml", "data = \"" + std::string(data) + "\"\n"}, {"table", nullptr}});
       EXPECT_THAT(answer["problems"].dump(), HasSubstr("a file that can be read")) << data;
     }
-    EXPECT_EQ(phy::desk::ask(port, "GET /files/p.csv", known()).status, 404);
+    EXPECT_EQ(phy::gui::ask(port, "GET /files/p.csv", known()).status, 404);
   }
   EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"elastic", true}}).status,
             400);  // calibration.json is there
@@ -248,13 +248,13 @@ TEST_F(Lab, WhatIsNoFileIsNotWaitedFor) {
   ::alarm(0);
 }
 
-TEST_F(Lab, CtrlCIsNotKeptByAnAnswer) {
+TEST_F(Gui, CtrlCIsNotKeptByAnAnswer) {
   ::alarm(60);
   std::string table = "theta [deg],E [GPa]\n";
   while (table.size() < 12'000'000)  // 14 MB as JSON, of 16 that may come
     table += "0,20\n45,22\n90,30\n";
   const std::string body = Json{{"name", "x"}, {"toml", "data = \"x.csv\"\n"}, {"table", table}}.dump();
-  phy::desk::Wire wire(port);
+  phy::gui::Wire wire(port);
   ASSERT_TRUE(wire.send("POST /api/check HTTP/1.1\r\n" + known() +
                         "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -265,7 +265,7 @@ TEST_F(Lab, CtrlCIsNotKeptByAnAnswer) {
 }
 
 // A halted process takes no notice of the signal that asks it to end.
-TEST_F(Lab, WhatDoesNotStopIsEnded) {
+TEST_F(Gui, WhatDoesNotStopIsEnded) {
   ::alarm(300);
   save_rock();
   done("/api/calibrate", {{"name", "shale"}, {"max_tests", 72}});
@@ -281,7 +281,7 @@ TEST_F(Lab, WhatDoesNotStopIsEnded) {
   ::alarm(0);
 }
 
-TEST_F(Lab, ARefusedStartLeavesTheLogThatWasThere) {
+TEST_F(Gui, ARefusedStartLeavesTheLogThatWasThere) {
   save_rock();
   EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}}).status, 400);
   EXPECT_FALSE(fs::exists(fs::path(home) / "shale-calibration.log"));
@@ -291,7 +291,7 @@ TEST_F(Lab, ARefusedStartLeavesTheLogThatWasThere) {
   for (const auto& entry : fs::directory_iterator(home)) EXPECT_NE(entry.path().extension(), ".begun");
 }
 
-TEST_F(Lab, ALogOfAnyLengthIsShownByItsEnd) {
+TEST_F(Gui, ALogOfAnyLengthIsShownByItsEnd) {
   save_rock();
   const std::string log = (fs::path(home) / "shale-calibration.log").string();
   std::ofstream(log) << "$ phyllite calibrate\n";
@@ -302,24 +302,24 @@ TEST_F(Lab, ALogOfAnyLengthIsShownByItsEnd) {
   EXPECT_LT(shown.size(), 100000U);
 }
 
-TEST_F(Lab, AFolderThatHasGoneIsSaid) {
+TEST_F(Gui, AFolderThatHasGoneIsSaid) {
   save_rock();
   fs::remove_all(home);
   for (const char* target : {"/api/project", "/api/rock?name=shale", "/files/shale.csv"}) {
-    const Answer answer = phy::desk::ask(port, std::string("GET ") + target, known());
+    const Answer answer = phy::gui::ask(port, std::string("GET ") + target, known());
     EXPECT_EQ(answer.status, 500) << target;
-    EXPECT_THAT(answer.body, HasSubstr("The folder of `phyllite lab` is no longer there. End the program"))
+    EXPECT_THAT(answer.body, HasSubstr("The folder of `phyllite gui` is no longer there. End the program"))
         << target;
   }
 }
 
-TEST_F(Lab, ARequestOfBracketsIsRefused) {
-  const Answer answer = phy::desk::ask(port, "POST /api/check", known(), std::string(100000, '['));
+TEST_F(Gui, ARequestOfBracketsIsRefused) {
+  const Answer answer = phy::gui::ask(port, "POST /api/check", known(), std::string(100000, '['));
   EXPECT_EQ(answer.status, 400);
   EXPECT_THAT(answer.body, HasSubstr("nested too deep"));
 }
 
-TEST_F(Lab, ItsOwnInput) {
+TEST_F(Gui, ItsOwnInput) {
   EXPECT_EQ(run("lab " + at("x") + " --port 70000"), 2);
   EXPECT_EQ(run("lab " + at("x") + " --port " + std::to_string(port)), 3);
   EXPECT_THAT(output, HasSubstr("choose another --port"));

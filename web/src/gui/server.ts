@@ -1,4 +1,4 @@
-// What the page asks the program, and what it answers: JSON (src/desk/desk.cpp).
+// What the page asks the program, and what it answers: JSON (src/gui/api.cpp).
 
 export type State = "new" | "running" | "stopped" | "finished" | "failed";
 
@@ -90,7 +90,7 @@ export interface Tested {
   notes?: string[];
 }
 
-export interface LabTest extends Run {
+export interface RockTest extends Run {
   name: string;
   specimens: Tested[];
 }
@@ -101,7 +101,7 @@ export interface RockAnswer extends Files {
   stamp: string; // of both files as they lie on disk
   exists: boolean; // else they are what the program would begin with
   calibration: Calibrating;
-  tests: LabTest[];
+  tests: RockTest[];
 }
 
 export interface Problem {

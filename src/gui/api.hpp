@@ -1,6 +1,6 @@
-// What the page of `phyllite lab` can ask for: the folder, its rocks, checks, calibrations and tests. Every
+// What the page of `phyllite gui` can ask for: the folder, its rocks, checks, calibrations and tests. Every
 // answer is made from the files as they are now, so that pages, terminals and editors may work side by side;
-// this process alone knows only what it has started (desk/child.hpp).
+// this process alone knows only what it has started (gui/child.hpp).
 //
 //   GET  /                the page
 //   GET  /api/project     folder, rocks, choices
@@ -20,17 +20,17 @@
 #include <utility>
 #include <vector>
 
-#include "desk/child.hpp"
-#include "desk/server.hpp"
-#include "desk/table_check.hpp"
+#include "gui/child.hpp"
+#include "gui/server.hpp"
+#include "gui/table_check.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 
-class Desk {
+class Api {
  public:
   /// Works in the working directory. `threads` of what it starts; 0: all cores.
   /// `file_token`: by which the page names files.
-  Desk(int threads, std::string file_token) : threads_(threads), file_token_(std::move(file_token)) {}
+  Api(int threads, std::string file_token) : threads_(threads), file_token_(std::move(file_token)) {}
   /// From any thread.
   Response answer(const Request& request);
   /// Folders in which something writes that was started here.
@@ -67,4 +67,4 @@ class Desk {
   void check_started(const std::string& folder, const std::string& log);
 };
 
-}  // namespace phy::desk
+}  // namespace phy::gui

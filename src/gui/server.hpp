@@ -1,4 +1,4 @@
-// An HTTP server for one user on one machine: what `phyllite lab` is reached by. It knows nothing of rock.
+// An HTTP server for one user on one machine: what `phyllite gui` is reached by. It knows nothing of rock.
 //
 // It listens on 127.0.0.1 alone. Programs of the same machine, and pages of other sites that the user's
 // browser shows, can reach that address, too. So every request must name this very server (Host), must not
@@ -17,7 +17,7 @@
 
 #include "io/file.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 
 struct Request {
   std::string method;                        ///< "GET", "POST"
@@ -74,4 +74,4 @@ std::string random_token();
 /// "%20" and "+" of a query; false: no text of this kind.
 bool decode_url(const std::string& text, bool plus_is_blank, std::string& decoded);
 
-}  // namespace phy::desk
+}  // namespace phy::gui

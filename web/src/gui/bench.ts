@@ -4,7 +4,7 @@ import { readable } from "../units";
 import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, plainly, select, stopper, textArea } from "./controls";
 import { bar, clock } from "./clock";
 import { chosenBefore, keepChosen } from "./drafts";
-import { Key, LabTest, Project, RockAnswer, Tested, ask } from "./server";
+import { Key, RockTest, Project, RockAnswer, Tested, ask } from "./server";
 import { get, quoted, set } from "./toml";
 
 export interface BenchView {
@@ -222,9 +222,9 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     keyed(commandPlace, file, () => [command(`phyllite run ${argument(`${file}.toml`)} --out ${argument(file)}`), h("p", { class: "muted" }, "The recipe is saved as ", h("code", {}, `${file}.toml`))]);
   }
 
-  function showTests(tests: LabTest[]) {
+  function showTests(tests: RockTest[]) {
     for (const [known, view] of shownTests) if (!tests.some((t) => t.name === known) && shownTests.delete(known)) view.node.remove();
-    const order = (t: LabTest) => choices.started.indexOf(t.name);
+    const order = (t: RockTest) => choices.started.indexOf(t.name);
     for (const t of [...tests].sort((a, b) => order(a) - order(b))) {
       if (!shownTests.has(t.name)) {
         shownTests.set(t.name, testView(rock, t.name, changed));
@@ -267,12 +267,12 @@ function value(s: Tested): Child {
   return h("span", {}, `${number}${doubt}`, notes && h("small", {}, notes));
 }
 
-function specimens(t: LabTest): Child {
+function specimens(t: RockTest): Child {
   if (t.specimens.length === 0) return null;
   return table(`Results of ${t.name}`, ["specimen", "θ [°]", "strength", "value", "outcome"], t.specimens.map((s) => [s.specimen, s.theta === null ? "–" : String(s.theta), s.strength ?? "–", value(s), s.status]), null, [3]);
 }
 
-function testState(t: LabTest): string {
+function testState(t: RockTest): string {
   if (t.state === "new") return "Not run yet.";
   if (t.state === "failed") return `Ended with an error${t.exit_code === null ? "" : ` (exit code ${t.exit_code})`}; the output says why.`;
   return `${t.state[0].toUpperCase()}${t.state.slice(1)}.`;
@@ -300,7 +300,7 @@ function testView(rock: string, name: string, changed: () => void) {
   );
   return {
     node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, going, h("div", { class: "tools" }, run, ...stop.nodes), wrong, results, rest, files.node, output),
-    show(t: LabTest) {
+    show(t: RockTest) {
       const report = t.files.find((f) => f.endsWith("report.html"));
       keyed(state, [t.state, t.exit_code], () => [testState(t)]);
       going.hidden = t.state !== "running";

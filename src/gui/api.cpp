@@ -1,4 +1,4 @@
-#include "desk/desk.hpp"
+#include "gui/api.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 
 #include "base/check.hpp"
 #include "base/embedded.hpp"
-#include "desk/project.hpp"
-#include "desk/recipes.hpp"
+#include "gui/project.hpp"
+#include "gui/recipes.hpp"
 #include "io/file.hpp"
 #include "io/json.hpp"
 #include "io/load.hpp"
@@ -24,7 +24,7 @@
 #include "jobs/machine.hpp"
 #include "records/test_description.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 
 namespace fs = std::filesystem;
 
@@ -53,7 +53,7 @@ std::string path_in(const std::string& folder, const std::string& name) {
 
 std::string log_of(const std::string& folder) { return folder + ".log"; }
 
-/// The command that a child was (desk/child.hpp), and what it has printed last.
+/// The command that a child was (gui/child.hpp), and what it has printed last.
 struct Log {
   std::string command, tail;
 };
@@ -142,7 +142,7 @@ void check_home() {
   static_cast<void>(fs::current_path(gone));
   if (gone)
     throw IoError(
-        "The folder of `phyllite lab` is no longer there. End the program with Ctrl-C, and start it in a "
+        "The folder of `phyllite gui` is no longer there. End the program with Ctrl-C, and start it in a "
         "folder "
         "that is.");
 }
@@ -151,7 +151,7 @@ Json choices_of(const char* key) { return find_field(io::rock_schema().fields, k
 
 }  // namespace
 
-Response Desk::answer(const Request& request) {
+Response Api::answer(const Request& request) {
   try {
     Response response = route(request);
     io::forget_reads();
@@ -167,14 +167,14 @@ Response Desk::answer(const Request& request) {
   }
 }
 
-Response Desk::route(const Request& request) {
+Response Api::route(const Request& request) {
   const bool get = request.method == "GET";
   if (get && request.path == "/")
-    return {200, "text/html; charset=utf-8", std::string(embedded("web/lab.html"))};
+    return {200, "text/html; charset=utf-8", std::string(embedded("web/gui.html"))};
   check_home();
   if (get && request.path.starts_with("/files/")) {
     const auto file = served_file(request.path.substr(7));
-    if (!file) return error(404, "no such file in the folder of `phyllite lab`");
+    if (!file) return error(404, "no such file in the folder of `phyllite gui`");
     return {200, content_type(*file), "", std::make_shared<io::InputFile>(*file)};
   }
   if (get && request.path == "/api/project") return json(project());
@@ -186,7 +186,7 @@ Response Desk::route(const Request& request) {
   const Json asked = asked_in(request.body);
   if (request.path == "/api/check") {
     check_name(asked.at("name").get<std::string>());
-    const auto table = desk::get<std::string>(asked, "table", "");
+    const auto table = gui::get<std::string>(asked, "table", "");
     return json(check_answer(asked.at("name"), asked.at("toml"),
                              asked.at("table").is_null() ? std::nullopt : std::optional(table)));
   }
@@ -207,7 +207,7 @@ Response Desk::route(const Request& request) {
 }
 
 /// 409, and what the files hold now, where somebody else has changed them.
-Response Desk::saved(const Json& asked) {
+Response Api::saved(const Json& asked) {
   try {
     return json(save(asked));
   } catch (const Changed& e) {
@@ -218,7 +218,7 @@ Response Desk::saved(const Json& asked) {
   }
 }
 
-Json Desk::project() {
+Json Api::project() {
   Json rocks = Json::array();
   for (const std::string& name : rock_names()) {
     const Json c = calibration(name);
@@ -237,7 +237,7 @@ Json Desk::project() {
       {"keys", keys_json()}};
 }
 
-Json Desk::rock(const std::string& name) {
+Json Api::rock(const std::string& name) {
   const RockFiles files = read_rock_files(name);
   Json tests = Json::array();
   for (const std::string& t : test_names(name)) tests.push_back(test(name, t));
@@ -251,7 +251,7 @@ Json Desk::rock(const std::string& name) {
           {"tests", std::move(tests)}};
 }
 
-Desk::Work Desk::work_in(const std::string& folder) {
+Api::Work Api::work_in(const std::string& folder) {
   const pid_t other = jobs::working_in(folder);
   const std::lock_guard lock(mutex_);
   const auto child = children_.find(folder);
@@ -266,7 +266,7 @@ Desk::Work Desk::work_in(const std::string& folder) {
   return {other, false, child == children_.end() ? -1 : child->second->exit_code()};
 }
 
-Json Desk::calibration(const std::string& name) {
+Json Api::calibration(const std::string& name) {
   const std::string folder = calibration_of(name);
   const Log log = log_in(log_of(folder));
   const auto earlier = jobs::request_in(folder);
@@ -300,7 +300,7 @@ Json Desk::calibration(const std::string& name) {
                                       "calibrated.p2dat", "calibrated-yade.py"})}};
 }
 
-Json Desk::test(const std::string& rock, const std::string& name) {
+Json Api::test(const std::string& rock, const std::string& name) {
   const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
   const TestDescription* kind = test_in(recipe);
   Json specimens = Json::array();
@@ -326,7 +326,7 @@ Json Desk::test(const std::string& rock, const std::string& name) {
           {"specimens", std::move(specimens)}};
 }
 
-Json Desk::save(const Json& asked) {
+Json Api::save(const Json& asked) {
   const std::string name = asked.at("name"), toml = asked.at("toml");
   const Json& table = asked.at("table");
   const std::string stamp =
@@ -337,7 +337,7 @@ Json Desk::save(const Json& asked) {
   return {{"stamp", stamp}, {"files", std::move(files)}};
 }
 
-Json Desk::start(const std::vector<std::string>& words, const std::string& folder) {
+Json Api::start(const std::vector<std::string>& words, const std::string& folder) {
   if (work_in(folder).process != 0)
     throw InputError(Problem{"", folder, "", "nothing that works there", "it is running already"});
   std::vector<std::string> all = words;
@@ -354,7 +354,7 @@ Json Desk::start(const std::vector<std::string>& words, const std::string& folde
 
 /// What cannot be done is refused at once: told where it was asked for, and nothing has been begun. What goes
 /// on takes the place of an earlier log.
-void Desk::check_started(const std::string& folder, const std::string& log) {
+void Api::check_started(const std::string& folder, const std::string& log) {
   const auto start = std::chrono::steady_clock::now();
   while (work_in(folder).here && std::chrono::steady_clock::now() - start < at_once &&
          jobs::working_in(folder) == 0)
@@ -376,7 +376,7 @@ std::int64_t max_tests_of(const Json& asked, std::int64_t otherwise) {
   return asked["max_tests"].get<std::int64_t>();
 }
 
-Json Desk::calibrate(const Json& asked) {
+Json Api::calibrate(const Json& asked) {
   const std::string name = asked.at("name");
   check_name(name);
   if (!exists(name + ".toml"))
@@ -386,20 +386,20 @@ Json Desk::calibrate(const Json& asked) {
     throw InputError(Problem{"", now, "", "one calibration of a rock at a time", "stop the other first"});
   jobs::CalibrationRequest request;
   const auto earlier = jobs::request_in(now);
-  if (earlier && desk::get(asked, "resume", false)) {
+  if (earlier && gui::get(asked, "resume", false)) {
     request = *earlier, request.resume = true;
   } else {
     request.max_tests = max_tests_of(asked, request.max_tests);
-    request.elastic = desk::get(asked, "elastic", false);
+    request.elastic = gui::get(asked, "elastic", false);
   }
   request.rock = name + ".toml";
-  request.out = desk::get(asked, "anew", false) ? next_calibration_of(name) : now;
+  request.out = gui::get(asked, "anew", false) ? next_calibration_of(name) : now;
   check_inside(request.out);
   return start(jobs::words_of(request), request.out);
 }
 
-Json Desk::stop(const Json& asked) {
-  const std::string name = asked.at("name"), test = desk::get<std::string>(asked, "test", "");
+Json Api::stop(const Json& asked) {
+  const std::string name = asked.at("name"), test = gui::get<std::string>(asked, "test", "");
   check_name(name);
   if (!test.empty()) check_name(test);
   const std::string folder = test.empty() ? calibration_of(name) : path_in(tests_of(name), test);
@@ -413,7 +413,7 @@ Json Desk::stop(const Json& asked) {
   return Json::object();
 }
 
-Json Desk::run_test(const Json& asked) {
+Json Api::run_test(const Json& asked) {
   const std::string rock = asked.at("name"), name = asked.at("test");
   check_name(rock), check_name(name);
   const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
@@ -428,7 +428,7 @@ Json Desk::run_test(const Json& asked) {
   return start({"run", recipe, "--out", folder}, folder);
 }
 
-void Desk::end() {
+void Api::end() {
   std::map<std::string, std::unique_ptr<Child>> all;
   {
     const std::lock_guard lock(mutex_);
@@ -438,7 +438,7 @@ void Desk::end() {
     if (child->running()) child->ending.ask(child->process());
 }
 
-std::vector<std::string> Desk::running() {
+std::vector<std::string> Api::running() {
   const std::lock_guard lock(mutex_);
   std::vector<std::string> folders;
   for (const auto& [folder, child] : children_)
@@ -446,4 +446,4 @@ std::vector<std::string> Desk::running() {
   return folders;
 }
 
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace phy::desk {
+namespace phy::gui {
 
 /// A rock as it lies on disk. `table`: nothing where it is no text that can be edited here.
 struct RockFiles {
@@ -60,4 +60,4 @@ std::optional<std::string> served_file(const std::string& path);
 /// Of a served file, by its ending.
 std::string content_type(const std::string& path);
 
-}  // namespace phy::desk
+}  // namespace phy::gui

@@ -1,4 +1,4 @@
-#include "desk/server.hpp"
+#include "gui/server.hpp"
 
 #include <fmt/format.h>
 #include <sys/random.h>
@@ -18,7 +18,7 @@
 
 #include "base/check.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 namespace net = boost::asio;
@@ -356,7 +356,7 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
   const bool has_key = of_file && key != keys_.end() && same(read->query["key"], key->second);
   if (!same(token, tokens_.all) && !has_key)
     return refused(403,
-                   "the token is missing or of another start: open the address that `phyllite lab` prints");
+                   "the token is missing or of another start: open the address that `phyllite gui` prints");
   request = std::move(*read);
   request.query.erase("token"), request.query.erase("key");
   request.method = std::string(head.method_string());
@@ -378,4 +378,4 @@ int Server::port() const { return impl_->port(); }
 std::string Server::address() const { return impl_->address(); }
 bool Server::run(const std::atomic<bool>& stop) { return impl_->run(stop); }
 
-}  // namespace phy::desk
+}  // namespace phy::gui

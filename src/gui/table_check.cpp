@@ -1,4 +1,4 @@
-#include "desk/table_check.hpp"
+#include "gui/table_check.hpp"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "desk/project.hpp"
+#include "gui/project.hpp"
 #include "io/rock_in.hpp"
 #include "io/table.hpp"
 #include "jobs/rock_check.hpp"
 #include "report/curves.hpp"
 
-namespace phy::desk {
+namespace phy::gui {
 namespace {
 
 /// The line behind the name of a file, "shale.csv:12"; 0: another file, or none named.
@@ -123,4 +123,4 @@ Json check_answer(const std::string& name, const std::string& toml, const std::o
   return answer;
 }
 
-}  // namespace phy::desk
+}  // namespace phy::gui
