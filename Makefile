@@ -137,11 +137,11 @@ bench-peers: build
 yade: program
 	python3 bench/peers/equal.py $(BUILD)/phyllite
 
-# Tests made bad on purpose, and the tables of docs/reliability.md from them. Some twelve minutes of CPU, never part of CI.
+# Tests made bad on purpose, and docs/reliability-tables.md from them. Some twelve minutes of CPU, never part of CI.
 RELIABILITY := compression tension brazilian confined packing resolution shear poisson
 reliability: program
 	@for s in $(RELIABILITY); do $(BUILD)/phyllite study examples/reliability/$$s.toml --out results/reliability/$$s || [ $$? = 1 ] || exit 1; done
-	python3 tools/reliability.py results/reliability docs/reliability.md
+	python3 tools/reliability.py results/reliability docs/reliability-tables.md
 
 # Studies over MPI ranks (Debian: libopenmpi-dev, openmpi-bin), built and tested beside the usual build.
 mpi:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/reliability.md anew from the studies of examples/reliability (make reliability).
+"""Writes docs/reliability-tables.md and rows of measured/robustness.csv from the studies of examples/reliability (make reliability).
 
-Usage: reliability.py RESULTS PAGE. What stands between the two marks of the page is replaced.
+Usage: reliability.py RESULTS PAGE.
 
 A test with a strength is held against the same specimen pressed well: the slowest of its study that has one, everything else as in rock.toml. Where the rock itself
 is another (packings, grain size) it is held against the mean of the same angle with the usual number of grains, or with the smallest grains.
@@ -11,9 +11,15 @@ import math
 import pathlib
 import sys
 
+import measured
 from results_csv import rows_of
 
-BEGIN, END = "<!-- tables of tools/reliability.py -->", "<!-- end of tables -->"
+HEAD = """# Errors of tests made bad on purpose
+
+Written by `tools/reliability.py` (`make reliability`). [Reliability](reliability.md) says what follows from it, and how the tests were made.
+A cell has mean, root mean square and worst error in %, and in brackets the number of tests.
+
+"""
 INF = math.inf
 # study: what its strength is called here and in results.csv
 STRENGTHS = {"compression": ("UCS", "ucs"), "tension": ("DTS", "sigma_t"), "brazilian": ("BTS", "bts"), "confined": ("sigma_1", "sigma_1")}
@@ -186,20 +192,30 @@ def moduli(results):
 
 def slip(all_errors, height, radius):
     """What bounds the slip of a joint at the strength: how far the platens have come together, over the smallest radius."""
-    parts = []
+    lines = []
     for s in ("compression", "confined"):
-        ways = [abs(r["peak_strain"]) * height / radius for r, _, _ in all_errors[s].tests if isinstance(r["peak_strain"], float)]
-        parts.append(f"{STRENGTHS[s][0]} {sorted(ways)[len(ways) // 2]:.2f} (median), {max(ways):.2f} (most)")
-    return "; ".join(parts)
+        ways = sorted(abs(r["peak_strain"]) * height / radius for r, _, _ in all_errors[s].tests if isinstance(r["peak_strain"], float))
+        lines.append([STRENGTHS[s][0], f"{ways[len(ways) // 2]:.2f}", f"{ways[-1]:.2f}"])
+    return table(["strength", "median", "most"], lines)
+
+
+def good_tests(results):
+    """Rows of measured/robustness.csv: the worst error of tests that are called good."""
+    for s in STRENGTHS:
+        e = Errors(results, s)
+        for label, _ in e.names:
+            values = [x[label] for r, odd, x in e.tests if r["quality"] == "good" and label in x and odd != "test.grip_thickness"]
+            if values and label != "E in tension":
+                rms = math.sqrt(sum(v * v for v in values) / len(values))
+                yield measured.row(f"good tests, bad on purpose: {label}", f"{max(map(abs, values)):.0f}", "%", f"{rms:.1f} rms", len(values))
 
 
 def page(results):
     e = {s: Errors(results, s) for s in STRENGTHS}
     motion = ("", "test.platen_speed", "engine.damping")
     n = sum(x.n_run for x in e.values()) + len(rows_of(results / "packing")) + sum(len(rows_of(results / s)) for s in ("resolution", "shear", "poisson"))
-    cell = "A cell has mean, root mean square and worst error in %, and in brackets the number of tests."
     return "\n".join([
-        f"{n:,} tests. {cell} First by what the program says of the test:\n", by_grade(e),
+        f"{n:,} tests. First by the grade of the test:\n", by_grade(e),
         "By `wave_transits`, platens of all speeds:\n",
         by_measure(e, "wave_transits", [2, 5, 10, 20, 30, 50, 100, 200], ("", "test.platen_speed")),
         "By the difference of opposite platens and by the kinetic energy, platens of all speeds and dampings:\n",
@@ -214,21 +230,19 @@ def page(results):
         by_measure(e, "peak_confirmed", [0.25, 0.5, 0.75, 1.0], ("test.stop_at", "test.post_peak"), ("compression",)),
         "By the share of cracks at the grips (`test.grip_thickness`):\n",
         by_measure(e, "failure_at_grip", [0.1, 0.25, 0.5, 0.75], ("", "test.grip_thickness"), ("tension",)),
-        "Packings of 206 to 400 discs in the same box, against the mean of 254 (porosity 0.08). Another porosity is another rock, so this is no "
-        "error of a test, but what a packing that is not meant does to its numbers:\n", packings(results),
+        "Packings of 206 to 400 discs in the same box, against the mean of 254. Another porosity is another rock, so this is no error of a test:\n", packings(results),
         "Grains of another size in the same box with the same planes, single specimens against the mean of the smallest grains. Scatter and the "
         "size of the grains are in it together:\n", resolution(results),
         "Peak strength in direct shear, by the deviation of the normal stress from 5 MPa:\n", shear(results),
-        "E and nu of 24 rocks at 0.02 and 0.05 m/s against 0.005 m/s, by the larger measure of both tests:\n", moduli(results),
-        f"Slip beyond a grain: a joint keeps the area that it was given, which is wrong once it has slipped by more than a radius. At the strength "
-        f"the platens have come together by, in smallest radii: {slip(e, 76.0, 1.36)}. Slip of a plane between rigid platens is of that order.\n"])
+        "E and nu of 24 rocks at two speeds against a slow one, by the larger measure of both tests:\n", moduli(results),
+        "Slip beyond a grain. A joint keeps the area that it was given, which is wrong once it has slipped by more than a radius.\n"
+        "At the strength the platens have come together by, in smallest radii:\n", slip(e, 76.0, 1.36)])
 
 
 def main():
     results, target = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    text = target.read_text(encoding="utf-8")
-    head, rest = text.split(BEGIN)
-    target.write_text(head + BEGIN + "\n" + page(results) + END + rest.split(END)[1], encoding="utf-8")
+    target.write_text(HEAD + page(results).rstrip() + "\n", encoding="utf-8")
+    measured.add("robustness", good_tests(results), "make reliability")
 
 
 main()
