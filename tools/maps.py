@@ -155,10 +155,10 @@ def page_tables(data):
             by_lever += ratio_by_lever(rows, "phi [deg]", (0.0, 15.0, 30.0, 45.0), label)
     text += table(["", "sensible", "UCS/DTS", "UCS/BTS", "first crack in the central third", "sigma_ci/UCS", "E50/E", "nu50", "E_t/E",
                    "broken before the peak", "friction angle [deg]", "m_i"], lines)
-    text += "\nUCS over tension of sensible points of the dense packing, by one lever at a time:\n\n"
+    text += "\nUCS over tension of sensible points of the dense packing, by one parameter at a time:\n\n"
     text += table(["", "points", "UCS/DTS", "UCS/BTS"], by_lever)
-    text += "\nUCS of the dense packing over that of the loose one, the same micro-parameters: " + "; ".join(densities) + ".\n"
-    text += "\nThe base recipe (tau_c = sigma_c = 50 MPa with 10 %, moment contribution 1) in grains of other sizes, the same specimen: means of five packings and their standard errors.\n\n"
+    text += "\nUCS of the dense packing over UCS of the loose one, the same micro-parameters, 5 % / median / 95 %:\n\n" + "".join(f"- {d}\n" for d in densities)
+    text += "\nThe base recipe (tau_c = sigma_c = 50 MPa with 10 %, moment contribution 1) in grains of other sizes, the same specimen. Means of five packings and their standard errors.\n\n"
     text += table(["", "discs", "grains across", "UCS/sigma_c", "DTS/sigma_c", "BTS/sigma_c", "first crack in the central third"], sizes)
     text += "\n### Layered rock\nExtent over sensible points (how many), every point on one of five packings.\n\n"
     lines = []
