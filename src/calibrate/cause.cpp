@@ -481,7 +481,7 @@ std::string good_news(const View& v) {
   for (const ParameterEstimate& e : c.parameters) {
     if (!e.open()) continue;
     open.push_back(e.symbol);
-    if (!e.next_test.empty()) next.push_back(e.next_test);
+    if (e.next.remedy != Remedy::none) next.push_back(text_of(e.next));
   }
   const std::string gap = gap_of(v);
   if (v.moduli_alone()) text += std::string("; ") + strengths_of_recipe;

@@ -288,7 +288,8 @@ TEST(Cause, ACalibratedRockIsSaidToBeSoWithWhatRemainsOpen) {
   Calibration c;
   c.fitted = c.verification = cells(Property::ucs, {60, 50, 40, 62}, {61, 50, 40, 62});
   ParameterEstimate open, known;
-  open.symbol = "sigma_n,sj", open.next_test = "direct tension at 0 degrees", known.determined = true;
+  open.symbol = "sigma_n,sj", known.determined = true;
+  open.next = {Remedy::test, {at_angle(Property::direct_tension, 0.0)}};
   c.parameters = {known, open};
   EXPECT_EQ(verdict_sentence(c),
             "calibrated: UCS within 1.7 % of the table on packings the fit has not seen; its data leave "

@@ -79,9 +79,9 @@ double counted_error(const Target& modulus) {
   return std::max(least, modulus.normal_error());
 }
 
-std::string compression_in_words(const Evidence& e, double from, double to) {
+Property compression_of(const Evidence& e, double from, double to) {
   const bool ucs = e.has(Property::ucs, from, to) || !e.has(Property::confined, from, to);
-  return ucs ? "UCS" : "strength under confinement";
+  return ucs ? Property::ucs : Property::confined;
 }
 
 theory::Eq1Fit eq1_through(const Evidence& evidence) {

@@ -55,8 +55,8 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
 
-/// "UCS", or where a table has none between two inclinations "strength under confinement".
-std::string compression_in_words(const Evidence& evidence, double from = 0.0, double to = 90.0);
+/// UCS, or where a table has none between two inclinations strength under confinement.
+Property compression_of(const Evidence& evidence, double from = 0.0, double to = 90.0);
 
 /// Eq. 1 through E(theta) with everything free; it may refuse.
 theory::Eq1Fit eq1_through(const Evidence& evidence);

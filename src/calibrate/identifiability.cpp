@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/stats.hpp"
 #include "calibrate/elastic_limits.hpp"
@@ -65,23 +66,18 @@ std::vector<double> expected_sd(const Evidence& evidence, const std::vector<cons
   return {known.begin(), known.end()};
 }
 
-/// The test that tells most of an elastic parameter; more of them, where the table has it.
-std::string elastic_test(const LabReading& test, const Evidence& evidence) {
-  return evidence.has(test.property, test.from, test.to) ? fmt::format("more specimens of {}", test.name)
-                                                         : test.name;
-}
-
 /// `sd`: of what it acts on.
 Estimate identified_modulus(const ElasticParameter& p, double sd, const Evidence& evidence) {
   Estimate e = sought(p);
   e.box_low = p.range.low, e.box_high = p.range.high;
-  const LabReading& test = evidence.rock.bedded ? p.bedded_reading : p.intact_reading;
+  const LabTest& test = evidence.rock.bedded ? p.bedded_test : p.intact_test;
   const bool fitted = evidence.has(Property::E);
   const double in_log = by_number(p) ? sd / p.per_log : sd;
   e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
   e.determined = fitted && 2.0 * z_95 * in_log < 0.5 * std::log(p.range.high / p.range.low);
-  if (fitted) e.rests_on = to_string(evidence.has(test.property) ? test.property : Property::E);
-  if (!e.determined) e.next_test = elastic_test(test, evidence);
+  if (fitted)
+    e.rests_on = {Basis::tests, {LabTest{evidence.has(test.property) ? test.property : Property::E}}};
+  if (!e.determined) e.next = {holds(evidence.targets, test) ? Remedy::more_specimens : Remedy::test, {test}};
   return e;
 }
 
@@ -94,10 +90,17 @@ Estimate identified_strength(const StrengthParameter& p, const Evidence& evidenc
   const Rule rule = p.rule(evidence);
   const bool fitted = evidence.fits_strength();
   e.determined = fitted && rule.held && !rule.shared;
-  if (fitted) e.rests_on = rule.held ? rule.tests : compression_in_words(evidence);
-  if (!e.determined) e.next_test = rule.next_test;
-  if (!fitted && e.next_test.find("UCS") == std::string::npos)
-    e.next_test = e.next_test.empty() ? "UCS" : "UCS, and " + e.next_test;
+  if (fitted) {
+    const LabTest compression{compression_of(evidence)};
+    e.rests_on = {Basis::tests,
+                  rule.held ? held_by(evidence.targets, rule.tests) : std::vector<LabTests>{compression}};
+  }
+  if (e.determined) return e;
+  std::vector<LabTests> next = rule.next;
+  const auto is_ucs = [](const LabTests& t) { return t.any_of.front().property == Property::ucs; };
+  if (!fitted && std::none_of(next.begin(), next.end(), is_ucs))
+    next.insert(next.begin(), LabTest{Property::ucs});
+  if (!next.empty()) e.next = {Remedy::test, std::move(next)};
   return e;
 }
 

@@ -12,6 +12,10 @@
 namespace phy::calibrate {
 namespace {
 
+using testing::Contains;
+using testing::Each;
+using testing::Field;
+
 /// E and nu of a jointed rock at seven angles.
 Rock layered_rock() {
   const theory::JointedRock truth{60e9, 40e9, 12e9, 0.25};
@@ -48,7 +52,9 @@ TEST(Identifiability, ANoisierTableLeavesWiderIntervals) {
 TEST(Identifiability, TensionAcrossTheBeddingPinsTheJointsAndItsAbsenceIsSaid) {
   Rock rock = layered_rock();
   rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
-  EXPECT_THAT(expected(rock, "sigma_n,sj/C_sj").next_test, testing::HasSubstr("direct tension at 0"));
+  const std::vector<LabTests> across = {
+      LabTests({at_angle(Property::direct_tension, 0.0), at_angle(Property::brazilian, 90.0)})};
+  EXPECT_EQ(expected(rock, "sigma_n,sj/C_sj").next.tests, across);
   rock.readings.push_back(reading(Property::direct_tension, 0.0, 5e6));
   EXPECT_TRUE(expected(rock, "sigma_n,sj/C_sj").determined);
 }
@@ -60,8 +66,10 @@ TEST(Identifiability, WithoutUcsNoStrengthIsDetermined) {
   for (const ParameterEstimate& e : identifiability(Evidence(rock)))
     if (!std::isfinite(e.low)) {
       EXPECT_FALSE(e.determined) << e.key;
-      EXPECT_THAT(e.next_test, testing::HasSubstr("UCS")) << e.key;
-      EXPECT_EQ(e.rests_on, "") << e.key;
+      EXPECT_THAT(e.next.tests,
+                  Contains(Field(&LabTests::any_of, Contains(Field(&LabTest::property, Property::ucs)))))
+          << e.key;
+      EXPECT_EQ(e.rests_on.basis, Basis::none) << e.key;
     }
   EXPECT_THAT(advice(Evidence(rock)), testing::Contains(testing::HasSubstr("no strength in compression")));
 }
@@ -72,9 +80,11 @@ TEST(Identifiability, ParametersRestOnWhatTheTableHolds) {
   std::erase_if(rock.readings, [](const RockReading& r) { return r.property == Property::nu; });
   for (const double theta : {0.0, 45.0, 90.0}) rock.readings.push_back(reading(Property::ucs, theta, 100e6));
   for (const ParameterEstimate& e : identifiability(Evidence(rock)))
-    EXPECT_THAT(e.rests_on, testing::AnyOf("E", testing::StartsWith("UCS near"),
-                                           testing::StartsWith("UCS between"), "UCS"))
-        << e.key;
+    for (const LabTests& tests : e.rests_on.tests)
+      for (const LabTest& test : tests.any_of) {
+        EXPECT_TRUE(test.property == Property::E || test.property == Property::ucs) << e.key;
+        EXPECT_TRUE(holds(targets_of(rock), test)) << e.key << " rests on " << name_of(test);
+      }
 }
 
 TEST(Identifiability, IntervalsAreSaidToLeaveOutThePackings) {
@@ -88,8 +98,9 @@ TEST(Identifiability, ARockWithoutBeddingHasNoAngleInItsTests) {
   rock.readings.push_back(reading(Property::ucs, 0.0, 150e6));
   EXPECT_EQ(identifiability(Evidence(rock)).size(), 5U);
   for (const ParameterEstimate& e : identifiability(Evidence(rock)))
-    for (const std::string& text : {e.rests_on, e.next_test})
-      EXPECT_THAT(text, testing::Not(testing::HasSubstr("degrees"))) << e.key;
+    for (const auto& list : {e.rests_on.tests, e.next.tests})
+      for (const LabTests& tests : list)
+        EXPECT_THAT(tests.any_of, Each(Field(&LabTest::where, Inclination::any))) << e.key;
   EXPECT_TRUE(expected(rock, "matrix.sigma_c").determined);
   EXPECT_FALSE(expected(rock, "tau_c/sigma_c").determined);
   rock.readings.push_back(reading(Property::brazilian, 0.0, 20e6));
@@ -99,28 +110,30 @@ TEST(Identifiability, ARockWithoutBeddingHasNoAngleInItsTests) {
 // Under which stress a table was not tested it need not say; that of other angles does not tell.
 TEST(Identifiability, FrictionRestsOnStrengthsUnderConfinement) {
   Rock rock = layered_rock();
-  EXPECT_THAT(expected(rock, "matrix.mu").next_test, testing::StartsWith("UCS, and"));  // nothing is fitted
+  const auto next = [&](const char* key) { return expected(rock, key).next.tests; };
+  using Tests = std::vector<LabTests>;
+  const LabTest at_ends = at_either_end(Property::confined);
+  EXPECT_EQ(next("matrix.mu"), (Tests{LabTest{Property::ucs}, at_ends}));  // nothing is fitted
   rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
-  EXPECT_EQ(expected(rock, "matrix.mu").next_test, "strength under confinement near 0 or 90 degrees");
-  EXPECT_EQ(expected(rock, "bedding[0].mu").next_test, "strength under confinement at 45 and 60 degrees");
-  EXPECT_THAT(expected(rock, "C_sj/tau_c").next_test, testing::HasSubstr("UCS at 45"));
+  EXPECT_EQ(next("matrix.mu"), Tests{at_ends});
+  EXPECT_EQ(next("bedding[0].mu"), Tests{between(Property::confined, 45.0, 60.0)});
+  EXPECT_EQ(next("C_sj/tau_c"), Tests{between(Property::ucs, 45.0, 60.0)});
   rock.readings.push_back(reading(Property::confined, 45.0, 120e6));
   rock.readings.back().confining = 10e6;
   EXPECT_FALSE(expected(rock, "bedding[0].mu").determined)
       << "cohesion or friction, one stress does not tell";
-  EXPECT_EQ(expected(rock, "bedding[0].mu").next_test,
-            "strength under another confinement, or none, at the same angle");
+  const auto asked = [&](const char* key) { return next(key).at(0).any_of.at(0).stress; };
+  EXPECT_EQ(asked("bedding[0].mu"), StressAsked::another);
   RockReading& ucs = *(rock.readings.end() - 2);
   ASSERT_EQ(ucs.property, Property::ucs);
   ucs.theta = 45.0;
   EXPECT_TRUE(expected(rock, "bedding[0].mu").determined);
   EXPECT_FALSE(expected(rock, "matrix.mu").determined);
   ucs.theta = rock.readings.back().theta = 90.0;
-  EXPECT_EQ(expected(rock, "matrix.mu").next_test,
-            "strength under more confinement");  // tau_c has a share in it
+  EXPECT_EQ(asked("matrix.mu"), StressAsked::higher);  // tau_c has a share in it
   EXPECT_FALSE(expected(rock, "bedding[0].mu").determined);
   rock.bedded = false;
-  EXPECT_EQ(expected(rock, "matrix.mu").next_test, "strength under more confinement");
+  EXPECT_EQ(asked("matrix.mu"), StressAsked::higher);
 }
 
 TEST(Identifiability, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
@@ -129,10 +142,15 @@ TEST(Identifiability, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
   const theory::JointedRock stiff{60e9, 3000e9, 2500e9, 0.25};  // joints that E hardly feels
   for (const double theta : {0.0, 45.0, 90.0})
     rock.readings.push_back(reading(Property::E, theta, theory::goodman_E(stiff, theta)));
-  EXPECT_EQ(expected(rock, "bedding[0].k_n").next_test, "more specimens of E at 0 or 15 degrees");
-  EXPECT_EQ(expected(rock, "matrix.ks_over_kn").next_test, "Poisson's ratio, best at 0 and 90 degrees");
+  const std::vector<LabTests> across = {between(Property::E, 0.0, 15.0)};
+  EXPECT_EQ(expected(rock, "bedding[0].k_n").next.remedy, Remedy::more_specimens);
+  EXPECT_EQ(expected(rock, "bedding[0].k_n").next.tests, across);
+  EXPECT_EQ(expected(rock, "matrix.ks_over_kn").next.remedy, Remedy::test);
+  EXPECT_EQ(expected(rock, "matrix.ks_over_kn").next.tests,
+            std::vector<LabTests>{at_both_ends(Property::nu)});
   std::erase_if(rock.readings, [](const RockReading& r) { return r.theta == 0.0; });
-  EXPECT_EQ(expected(rock, "bedding[0].k_n").next_test, "E at 0 or 15 degrees");
+  EXPECT_EQ(expected(rock, "bedding[0].k_n").next.remedy, Remedy::test);
+  EXPECT_EQ(expected(rock, "bedding[0].k_n").next.tests, across);
 }
 
 TEST(Identifiability, OneTensorIsNoConflict) {

@@ -338,8 +338,8 @@ std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {
   e.low = first == possible.begin() ? e.box_low : std::prev(first)->first;
   e.high = last == possible.rbegin() ? e.box_high : std::prev(last)->first;
   e.determined = std::log(e.high / e.low) < 0.5 * std::log(e.box_high / e.box_low);
-  e.rests_on = "values left out";
-  if (!e.determined) e.next_test = "persistence of the planes as mapped on the rock (in a recipe)";
+  e.rests_on.basis = Basis::values_left_out;
+  if (!e.determined) e.next.remedy = Remedy::map_persistence;
   return e;
 }
 

@@ -73,9 +73,9 @@ void add_identifiability(std::vector<Estimate>& estimates, const Evidence& evide
     if (e.determined)
       e.rests_on = f.rests_on;
     else if (f.determined)
-      e.next_test = met ? "more specimens of " + f.rests_on : "a table that the model can meet";
+      e.next = met ? NextStep{Remedy::more_specimens, f.rests_on.tests} : NextStep{Remedy::meet_table};
     else
-      e.next_test = f.next_test;
+      e.next = f.next;
   }
 }
 

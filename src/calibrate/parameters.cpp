@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
@@ -51,8 +52,8 @@ const ElasticParameter matrix_E_c{{.key = "matrix.E_c",
                                   {"matrix.E_c", "matrix.E_b"},
                                   &theory::JointedRock::E,
                                   [](const FirstSight& s) { return s.E_c * s.macro.E / s.E; },
-                                  {"E at 90 degrees", Property::E, 80.0, 90.0},
-                                  {"E", Property::E}};
+                                  between(Property::E, 80.0, 90.0),
+                                  {Property::E}};
 
 /// Of contacts and bonds alike. The uniform-strain estimate nu = (1 - q)/(3 + q) falls by 4 q/(3 + q)^2 per
 /// logarithm of q = k_s/k_n.
@@ -70,8 +71,8 @@ const ElasticParameter matrix_ks_over_kn{
     {"matrix.ks_over_kn", "matrix.bond_ks_over_kn"},
     &theory::JointedRock::nu,
     nullptr,
-    {"Poisson's ratio, best at 0 and 90 degrees", Property::nu},
-    {"Poisson's ratio", Property::nu},
+    at_both_ends(Property::nu),
+    {Property::nu},
     4.0 * 0.3 / (3.3 * 3.3),
     0.15};
 
@@ -85,7 +86,7 @@ const ElasticParameter joint_k_n{{.key = "bedding[0].k_n",
                                  {"bedding[0].k_n"},
                                  &theory::JointedRock::K_n_delta,
                                  [](const FirstSight& s) { return s.macro.K_n_delta / s.joint_length; },
-                                 {"E at 0 or 15 degrees", Property::E, 0.0, 15.0}};
+                                 between(Property::E, 0.0, 15.0)};
 
 const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
                                   .symbol = "k_s,sj",
@@ -97,7 +98,7 @@ const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
                                  {"bedding[0].k_s"},
                                  &theory::JointedRock::K_s_delta,
                                  [](const FirstSight& s) { return s.macro.K_s_delta / s.joint_length; },
-                                 {"E between 30 and 60 degrees", Property::E, 30.0, 60.0}};
+                                 between(Property::E, 30.0, 60.0)};
 
 /// Acts on E(90)/E(0) as planes' normal stiffness does in Eq. 1.
 const ElasticParameter stiffness_ratio{
@@ -106,7 +107,7 @@ const ElasticParameter stiffness_ratio{
     {"matrix.stiffness_ratio"},
     &theory::JointedRock::K_n_delta,
     nullptr,
-    {"E at 0 and 90 degrees", Property::E, 0.0, 15.0}};
+    at_both_ends(Property::E)};
 
 // ---- strengths
 
@@ -114,30 +115,39 @@ void scale_joints(Recipe& r, double factor) {
   for (BeddingRecipe& b : r.bedding) b.cohesion *= factor, b.sigma_n *= factor;
 }
 
+LabTest compression(const Evidence& e, double from, double to) {
+  return between(compression_of(e, from, to), from, to);
+}
+LabTest compression(const Evidence& e) { return {compression_of(e)}; }
+
+/// Of tests that speak of others as well, more of the same would not help.
+Rule rule_of(std::vector<LabTests> tests, const LabTest& next, bool held, bool shared) {
+  Rule rule{held, std::move(tests), {}, shared};
+  if (!held || !shared) rule.next = {next};
+  return rule;
+}
+
 /// Without bedding any UCS will do; with it, one that planes do not decide.
 Rule sigma_c_rule(const Evidence& e) {
-  if (!e.rock.bedded) return {true, compression_in_words(e), ""};
-  const bool ucs = e.has(Property::ucs, 0.0, 15.0) || e.has(Property::ucs, 80.0, 90.0);
-  return {e.compressed(0.0, 15.0) || e.compressed(80.0, 90.0),
-          (ucs ? compression_in_words(e) : "strength under confinement") + " near 0 or 90 degrees",
-          "UCS at 0 and 90 degrees"};
+  if (!e.rock.bedded) return {true, {compression(e)}, {}};
+  const bool ucs = e.has(Property::ucs, 0.0, near_0) || e.has(Property::ucs, near_90, 90.0);
+  return {e.compressed(0.0, near_0) || e.compressed(near_90, 90.0),
+          {at_either_end(ucs ? Property::ucs : Property::confined)},
+          {at_both_ends(Property::ucs)}};
 }
 
 /// A disc splits along its load: planes at 90 degrees open in it, as those at 0 do in direct tension.
-bool pulled_across(const Evidence& e) {
-  return e.has(Property::direct_tension, 0.0, 30.0) || e.has(Property::brazilian, 60.0, 90.0);
-}
-bool pulled_along(const Evidence& e) {
-  return e.has(Property::direct_tension, 60.0, 90.0) || e.has(Property::brazilian, 0.0, 30.0);
-}
+const LabTests tension({{Property::direct_tension}, {Property::brazilian}}),
+    tension_across({between(Property::direct_tension, 0.0, 30.0), between(Property::brazilian, 60.0, 90.0)}),
+    tension_along({between(Property::direct_tension, 60.0, 90.0), between(Property::brazilian, 0.0, 30.0)});
+
+bool holds(const Evidence& e, const LabTests& any) { return !held_by(e.targets, {any}).empty(); }
 
 Rule tau_c_rule(const Evidence& e) {
-  if (!e.rock.bedded)
-    return {e.has(Property::direct_tension) || e.has(Property::brazilian),
-            compression_in_words(e) + " against tension", "direct tension, or Brazilian"};
-  return {sigma_c_rule(e).held && pulled_along(e),
-          compression_in_words(e) + " against tension along the bedding",
-          "direct tension at 90 degrees, or Brazilian at 0"};
+  if (!e.rock.bedded) return {holds(e, tension), {compression(e), tension}, {tension}};
+  return {sigma_c_rule(e).held && holds(e, tension_along),
+          {compression(e), tension_along},
+          {LabTests({at_angle(Property::direct_tension, 90.0), at_angle(Property::brazilian, 0.0)})}};
 }
 
 /// Friction shows in how strength grows: it takes confinement, and another confinement or none at the same
@@ -154,20 +164,19 @@ bool grows(const Evidence& e, double from, double to) {
 /// Friction of the grains shows in strengths under confinement that planes do not decide, beside that of the
 /// bonds where these have one.
 Rule friction_rule(const Evidence& e) {
-  const bool held = e.rock.bedded ? grows(e, 0.0, 15.0) || grows(e, 80.0, 90.0) : grows(e, 0.0, 90.0);
-  const char* test =
-      e.rock.bedded ? "strength under confinement near 0 or 90 degrees" : "strength under confinement";
-  return {held, test,
-          held                        ? "strength under more confinement"
-          : e.has(Property::confined) ? "strength under another confinement, or none, at the same angle"
-                                      : test,
-          true};
+  const bool held = e.rock.bedded ? grows(e, 0.0, near_0) || grows(e, near_90, 90.0) : grows(e, 0.0, 90.0);
+  const LabTest test = e.rock.bedded ? at_either_end(Property::confined) : LabTest{Property::confined};
+  LabTest next = test;
+  if (held)
+    next.stress = StressAsked::higher;
+  else if (e.has(Property::confined))
+    next.stress = StressAsked::another;
+  return {held, {test}, {next}, true};
 }
 Rule joint_friction_rule(const Evidence& e) {
-  return {grows(e, 30.0, 75.0), "strength under confinement between 30 and 75 degrees",
-          e.has(Property::confined, 30.0, 75.0)
-              ? "strength under another confinement, or none, at the same angle"
-              : "strength under confinement at 45 and 60 degrees"};
+  LabTest next = between(Property::confined, 45.0, 60.0);
+  if (e.has(Property::confined, 30.0, 75.0)) next.stress = StressAsked::another;
+  return {grows(e, 30.0, 75.0), {between(Property::confined, 30.0, 75.0)}, {next}};
 }
 
 void check_dilation(const Rock& rock) {
@@ -241,8 +250,7 @@ const StrengthParameter matrix_moment{
     of_matrix<&MatrixRecipe::moment_contribution>("matrix.moment_contribution", "beta", {0.05, 1.0, 0.3},
                                                   has_parallel_bonds),
     [](const Evidence& e) -> Rule {
-      return {e.compressed() && (e.has(Property::direct_tension) || e.has(Property::brazilian)),
-              compression_in_words(e) + " against tension", "", true};
+      return {e.compressed() && holds(e, tension), {compression(e), tension}, {}, true};
     },
     true};
 
@@ -271,8 +279,8 @@ const StrengthParameter matrix_slits{
     [](const Evidence& e) -> Rule {
       const bool held = e.has(Property::crack_initiation) &&
                         (e.rock.E_is != ModulusReading::small_strain || !e.has(Property::E));
-      return {held, "sigma_ci against UCS",
-              held ? "" : "sigma_ci by crack volumetric strain, in the tests of UCS", true};
+      const LabTest test{Property::crack_initiation};
+      return rule_of({test, LabTest{Property::ucs}}, test, held, true);
     },
     true};
 
@@ -282,8 +290,9 @@ const StrengthParameter tension_ratio{
     of_matrix<&MatrixRecipe::tension_ratio>("matrix.tension_ratio", "r_t", {1.0 / 6.0, 6.0, 1.2},
                                             has_directions),
     [](const Evidence& e) -> Rule {
-      return {pulled_across(e) && pulled_along(e), "tension along and across the foliation",
-              "direct tension, or Brazilian, at 0 and 90 degrees"};
+      return {holds(e, tension_across) && holds(e, tension_along),
+              {tension_along, tension_across},
+              {LabTests({at_both_ends(Property::direct_tension), at_both_ends(Property::brazilian)})}};
     },
     true};
 
@@ -291,17 +300,17 @@ const StrengthParameter cohesion_ratio{
     of_matrix<&MatrixRecipe::cohesion_ratio>("matrix.cohesion_ratio", "r_c", {1.0 / 8.0, 8.0, 1.2},
                                              has_directions),
     [](const Evidence& e) -> Rule {
-      return {e.compressed(0.0, 15.0) && e.compressed(75.0, 90.0),
-              compression_in_words(e, 0.0, 15.0) + " at both ends", "UCS at 0 and 90 degrees"};
+      return {e.compressed(0.0, near_0) && e.compressed(75.0, 90.0),
+              {compression(e, 0.0, near_0), compression(e, 75.0, 90.0)},
+              {at_both_ends(Property::ucs)}};
     }};
 
 const StrengthParameter cohesion_oblique{
     of_matrix<&MatrixRecipe::cohesion_oblique>("matrix.cohesion_oblique", "q_c", {1.0, 3.0, 1.4},
                                                has_directions),
     [](const Evidence& e) -> Rule {
-      const bool held = e.compressed(30.0, 60.0), shared = has_joints(e.rock.model);
-      return {held, compression_in_words(e, 30.0, 60.0) + " between 30 and 60 degrees",
-              held && shared ? "" : "UCS at 30 and 60 degrees", shared};
+      return rule_of({compression(e, 30.0, 60.0)}, between(Property::ucs, 30.0, 60.0),
+                     e.compressed(30.0, 60.0), has_joints(e.rock.model));
     }};
 
 // ---- joints
@@ -323,10 +332,9 @@ const StrengthParameter joint_cohesion{
          },
      .belongs = has_joints},
     [](const Evidence& e) -> Rule {
-      const bool held = e.has(Property::ucs, 30.0, 75.0) || grows(e, 30.0, 75.0),
-                 shared = has_directions(e.rock.model);
-      return {held, compression_in_words(e, 30.0, 75.0) + " between 30 and 75 degrees",
-              held && shared ? "" : "UCS at 45 and 60 degrees", shared};
+      const bool held = e.has(Property::ucs, 30.0, 75.0) || grows(e, 30.0, 75.0);
+      return rule_of({compression(e, 30.0, 75.0)}, between(Property::ucs, 45.0, 60.0), held,
+                     has_directions(e.rock.model));
     }};
 
 const StrengthParameter joint_sigma_n{
@@ -342,8 +350,9 @@ const StrengthParameter joint_sigma_n{
          },
      .belongs = has_joints},
     [](const Evidence& e) -> Rule {
-      return {pulled_across(e), "tension across the bedding",
-              "direct tension at 0 degrees, or Brazilian at 90"};
+      return {holds(e, tension_across),
+              {tension_across},
+              {LabTests({at_angle(Property::direct_tension, 0.0), at_angle(Property::brazilian, 90.0)})}};
     }};
 
 const StrengthParameter joint_mu{{.key = "bedding[0].mu",

@@ -57,13 +57,6 @@ struct Estimate : ParameterEstimate {
 Estimate sought(const CalibratedParameter& p);
 Estimate number_of_recipe(const CalibratedParameter& p);
 
-/// A reading that a table may hold, in words.
-struct LabReading {
-  const char* name;
-  Property property;
-  double from = 0.0, to = 90.0;  ///< [deg]
-};
-
 /// What a fit of Eq. 1 and one solution of the bare recipe tell before the search.
 struct FirstSight {
   theory::JointedRock macro;
@@ -76,8 +69,8 @@ struct ElasticParameter : CalibratedParameter {
   std::array<std::string_view, 2> rates;  ///< sensitivities of the direct solution that move together with it
   double theory::JointedRock::*acts_on;   ///< the number of the closed form
   double (*first_guess)(const FirstSight&);  ///< nullptr: the usual value
-  LabReading bedded_reading;                 ///< that tells most of it
-  LabReading intact_reading = {};            ///< the same without bedding; none of a joint
+  LabTest bedded_test;                       ///< that tells most of it
+  LabTest intact_test = {};                  ///< the same without bedding; none of a joint
   /// It acts by its logarithm on that of the number; or, where this is not 0, on the number as it is, which
   /// falls by `per_log` per logarithm of the parameter and is known to `prior_sd` without any data.
   double per_log = 0.0, prior_sd = 0.0;
@@ -86,9 +79,9 @@ struct ElasticParameter : CalibratedParameter {
 /// What a table says about a strength, by the kind and angle of its tests alone.
 struct Rule {
   bool held = false;
-  std::string tests;      ///< that pin it
-  std::string next_test;  ///< that would; empty: no test that a table holds tells much
-  bool shared = false;    ///< these tests speak as much about others: it is sought, not determined
+  std::vector<LabTests> tests;  ///< that determine it
+  std::vector<LabTests> next;   ///< that would; empty: no test that a table holds tells much
+  bool shared = false;          ///< these tests speak as much about others: it is sought, not determined
 };
 
 /// A parameter that strengths show.

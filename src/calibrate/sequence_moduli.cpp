@@ -109,7 +109,7 @@ class Moduli {
     const LogBox box = p.box(evidence_.scales);
     return std::clamp(value, std::exp(box.low), std::exp(box.high));
   }
-  void take(const ElasticParameter& p, double value, std::string rests_on) {
+  void take(const ElasticParameter& p, double value, Support rests_on) {
     const LogBox box = p.box(evidence_.scales);
     p.set(fit_.recipe, value);
     Estimate e = sought(p);
@@ -147,8 +147,8 @@ class Moduli {
     }
     q.set(fit_.recipe, ratio);
     const double found = E_c.get(fit_.recipe) * E / intact(fit_.recipe, Property::E);
-    take(E_c, in_box(E_c, found), "E of Eq. 1");
-    if (std::isfinite(nu)) take(q, ratio, "nu along the layers");
+    take(E_c, in_box(E_c, found), {Basis::eq1, {LabTest{Property::E}}});
+    if (std::isfinite(nu)) take(q, ratio, {Basis::tests, {at_angle(Property::nu, 90.0)}});
   }
 
   Macro macro_at(const Recipe& recipe) {
@@ -188,7 +188,7 @@ class Moduli {
         fmt::format("Eq. 2 on these packings: K_{0} = {1:.4g} k_{0} {2:+.4g} GPa/m, R2 = "
                     "{3:.5f}; K_{0} = {4:.4g} GPa/m by Eq. 1 through the table",
                     name, line.slope, line.intercept * 1e-9, line.R2, wanted * 1e-9));
-    take(p, k, fmt::format("K_{} of Eq. 1, by Eq. 2", name));
+    take(p, k, {Basis::eq2, {LabTest{Property::E}}});
   }
 
   void fit_joints(const Macro& rock) {

@@ -166,7 +166,7 @@ class Sequence {
     fit_.recipe = with_moduli(fit_.recipe, remodel(fit_.softenings).recipe);
   }
 
-  void add_estimate(const StrengthParameter& p, std::string rests_on) {
+  void add_estimate(const StrengthParameter& p, Support rests_on) {
     const LogBox box = p.box(evidence_.scales);
     const double unit = p.over == nullptr ? 1.0 : p.over->number(fit_.recipe);
     Estimate e = number_of_recipe(p);
@@ -178,18 +178,20 @@ class Sequence {
   /// All strengths of the table at the estimate, and what is said of it.
   void conclude() {
     for (const Step& step : steps_) {
-      add_estimate(*step.parameter, name(step));
+      const Target& t = evidence_.strengths[step.target];
+      add_estimate(*step.parameter, {Basis::tests, {at_angle(t.property, t.theta)}});
       if (step.parameter == &matrix_sigma_c)
-        add_estimate(matrix_tau_c, "sigma_c, in the ratio of the recipe");
+        add_estimate(matrix_tau_c, {Basis::ratio_of_recipe, {}, matrix_sigma_c.symbol});
     }
     const auto is_step = [&](const StrengthParameter& p) {
       return std::any_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.parameter == &p; });
     };
     if (evidence_.rock.bedded && !is_step(joint_cohesion))
-      add_estimate(joint_cohesion, "sigma_c, in the ratio of the recipe");
+      add_estimate(joint_cohesion, {Basis::ratio_of_recipe, {}, matrix_sigma_c.symbol});
     if (evidence_.rock.bedded && !is_step(joint_sigma_n))
-      add_estimate(joint_sigma_n, fmt::format("{}, in the ratio of the recipe",
-                                              is_step(joint_cohesion) ? "cohesion" : "sigma_c"));
+      add_estimate(joint_sigma_n, {Basis::ratio_of_recipe,
+                                   {},
+                                   is_step(joint_cohesion) ? joint_cohesion.symbol : matrix_sigma_c.symbol});
     fit_.fitted = strength_response(fit_.recipe, evidence_.strengths, {seed_}, as_measured, simulator_);
     if (simulator_.stopped()) throw Stopped{};
     const std::int64_t n = evidence_.n_tests();

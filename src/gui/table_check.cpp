@@ -12,6 +12,7 @@
 #include "io/table.hpp"
 #include "jobs/rock_check.hpp"
 #include "report/curves.hpp"
+#include "report/finding_json.hpp"
 
 namespace phy::gui {
 namespace {
@@ -86,8 +87,8 @@ Json parameter_json(const ParameterEstimate& e) {
   return {{"symbol", e.symbol},
           {"determined", e.determined},
           {"interval", interval},
-          {"rests_on", e.rests_on},
-          {"next_test", e.next_test}};
+          {"rests_on", report::support_json(e.rests_on)},
+          {"next", report::next_json(e.next)}};
 }
 
 void tell(const Rock& rock, Json& answer) {

@@ -68,7 +68,7 @@ py::dict row_of_estimate(const ParameterEstimate& p) {
   row["key"] = p.key, row["symbol"] = p.symbol, row["value"] = p.value, row["low"] = p.low,
   row["high"] = p.high;
   row["unit"] = p.unit, row["determined"] = p.determined;
-  row["rests_on"] = p.rests_on, row["next_test"] = p.next_test;
+  row["rests_on"] = text_of(p.rests_on), row["next_test"] = text_of(p.next);
   return row;
 }
 

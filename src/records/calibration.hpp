@@ -8,6 +8,7 @@
 
 #include "base/nan.hpp"
 #include "base/stats.hpp"
+#include "records/lab_tests.hpp"
 #include "records/quality.hpp"
 #include "records/rock.hpp"
 
@@ -29,8 +30,8 @@ struct ParameterEstimate {
   double low = 0.0, high = 0.0;
   double box_low = 0.0, box_high = 0.0;  ///< values that the calibration admits
   bool determined = false;  ///< the interval is under half of the box, both measured in logarithms
-  std::string rests_on;     ///< the data that pin it, or what stands in for them
-  std::string next_test;    ///< the laboratory test that would pin it; empty if determined
+  Support rests_on;         ///< the data that determine it, or what stands in for them
+  NextStep next;            ///< what would; nothing if it is determined
   /// Which number of the recipe it is; nullptr: a ratio of two.
   RecipeNumber* number = nullptr;
   bool has_interval() const { return std::isfinite(low); }

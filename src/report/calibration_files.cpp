@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
@@ -13,13 +12,12 @@
 #include "io/json.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
+#include "report/finding_json.hpp"
 #include "report/methods.hpp"
 #include "report/yardsticks.hpp"
 
 namespace phy::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json rows_json(const std::vector<Comparison>& rows) {
   Json list = Json::array();
@@ -54,8 +52,8 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
               {"high", e.high},
               {"box", {e.box_low, e.box_high}},
               {"determined", e.has_interval() ? Json(e.determined) : Json(nullptr)}};
-    if (!e.rests_on.empty()) j["rests_on"] = e.rests_on;
-    if (!e.next_test.empty()) j["next_test"] = e.next_test;
+    if (e.rests_on.basis != Basis::none) j["rests_on"] = support_json(e.rests_on);
+    if (e.next.remedy != Remedy::none) j["next"] = next_json(e.next);
     list.push_back(std::move(j));
   }
   return list;

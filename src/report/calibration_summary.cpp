@@ -109,8 +109,9 @@ std::vector<std::string> open_lines(const Calibration& c) {
   for (const ParameterEstimate& e : c.parameters)
     if (e.open())
       add_line(open, e.symbol,
-               e.next_test.empty() ? "left open by the data; no test that a table holds tells much of it"
-                                   : "left open by the data; would tell more: " + e.next_test);
+               e.next.remedy == Remedy::none
+                   ? "not determined by this table; no test of a table determines it"
+                   : "not determined by this table; next: " + text_of(e.next));
   return open;
 }
 

@@ -106,16 +106,16 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
 
 std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {
   Column symbol{"parameter", "", {}, true}, determined{"determined", "", {}, true},
-      interval{"expected interval", "", {}, true}, why{"rests on / what would tell more", "", {}, true};
+      interval{"expected interval", "", {}, true}, why{"rests on / next test", "", {}, true};
   for (const ParameterEstimate& e : estimates) {
     const std::string range =
         std::isfinite(e.low) ? fmt::format("x {:.2f} ... {:.2f}", e.low, e.high) : "known after the fit";
     symbol.cells.push_back(e.symbol);
     determined.cells.emplace_back(e.determined ? "yes" : "no");
     interval.cells.push_back(e.determined || !std::isfinite(e.low) ? range : "wide");
-    why.cells.push_back(e.determined          ? e.rests_on
-                        : e.next_test.empty() ? "no test that a table holds tells much"
-                                              : "would tell more: " + e.next_test);
+    why.cells.push_back(e.determined                    ? text_of(e.rests_on)
+                        : e.next.remedy == Remedy::none ? "no test of a table determines it"
+                                                        : "next: " + text_of(e.next));
   }
   return wrapped(text_table(symbol, {{determined, interval}, {why}}, terminal_width), terminal_width,
                  symbol.width() + 2);

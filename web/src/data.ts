@@ -32,8 +32,8 @@ export interface Estimate {
   high: number | null;
   box: [number, number]; // values that the calibration admits
   determined: boolean | null; // null: the method gives no intervals
-  rests_on?: string;
-  next_test?: string;
+  rests_on?: { text: string };
+  next?: { text: string };
 }
 
 export interface Comparison {

@@ -605,8 +605,8 @@ function calibrationLegend(c: Calibration): HTMLElement {
 function whatIsDetermined(c: Calibration): HTMLElement {
   return table(
     "Parameters",
-    ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or would tell more"],
-    c.parameters.map((p) => [p.key, friendly(p.value, p.unit), p.low === null ? "–" : `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined === null ? "–" : p.determined ? "yes" : "no", p.determined !== false ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much"]),
+    ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or next test"],
+    c.parameters.map((p) => [p.key, friendly(p.value, p.unit), p.low === null ? "–" : `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined === null ? "–" : p.determined ? "yes" : "no", p.determined !== false ? (p.rests_on?.text ?? "") : p.next ? `next: ${p.next.text}` : "no test of a table determines it"]),
     null,
     [5],
   );

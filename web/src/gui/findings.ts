@@ -32,10 +32,10 @@ function numbers(targets: Target[], angles: boolean): HTMLElement {
 function determined(checked: Checked): Child {
   const rows = checked.parameters ?? [];
   if (rows.length === 0) return null;
-  const more = (p: (typeof rows)[number]) => (p.determined ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much");
+  const more = (p: (typeof rows)[number]) => (p.determined ? (p.rests_on?.text ?? "") : p.next ? `next: ${p.next.text}` : "no test of a table determines it");
   return table(
     "What the data determine",
-    ["parameter", "determined", "expected interval", "rests on, or would tell more"],
+    ["parameter", "determined", "expected interval", "rests on, or next test"],
     rows.map((p) => [p.symbol, p.determined ? "yes" : "no", p.interval ?? "known after the fit", more(p)]),
     null,
     [3],

@@ -139,7 +139,7 @@ export interface Checked {
   targets: Target[] | null;
   theory: Record<string, Curve> | null;
   says: string[] | null;
-  parameters: { symbol: string; determined: boolean; interval: string | null; rests_on: string | null; next_test: string | null }[] | null;
+  parameters: { symbol: string; determined: boolean; interval: string | null; rests_on: { text: string } | null; next: { text: string } | null }[] | null;
   advice: string[] | null;
   forecast: string | null;
 }

@@ -1,0 +1,16 @@
+// Findings, and what a table determines, as files and the page read them: words of data beside one text.
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "records/lab_tests.hpp"
+
+namespace phy::report {
+
+using Json = nlohmann::ordered_json;
+
+/// {basis, tests, text}; null without a basis.
+Json support_json(const Support& support);
+/// {remedy, tests, text}; null without one.
+Json next_json(const NextStep& next);
+
+}  // namespace phy::report
