@@ -15,7 +15,7 @@ FLOORS = {
     "records": 1, "theory": 1, "laws": 1,
     "contact": 2,
     "engine": 3, "analysis": 3, "io": 3,
-    "genesis": 4, "lab": 4, "statics": 4,
+    "genesis": 4, "lab": 4, "statics": 4, "rock": 4,
     "study": 5, "report": 5,
     "calibrate": 6, "verification": 6,
     "jobs": 7,

@@ -7,7 +7,7 @@
 #include "cli/progress.hpp"
 #include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
-#include "io/rock_in.hpp"
+#include "rock/file.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/calibration_watch.hpp"
 #include "report/calibration_summary.hpp"
@@ -25,7 +25,7 @@ std::string resume_command(jobs::CalibrationRequest args) {
 }
 
 int run_calibration(const jobs::CalibrationRequest& args, const Session& session) {
-  const calibrate::Evidence evidence(jobs::with_matrix(io::read_rock(args.rock), args));
+  const calibrate::Evidence evidence(jobs::with_matrix(rock::read_rock(args.rock), args));
   const Rock& rock = evidence.rock;
   const int width = session.terminal_width;
   calibrate::SimulatorOptions machine;

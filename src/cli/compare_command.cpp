@@ -11,7 +11,7 @@
 #include "cli/machine.hpp"
 #include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
-#include "io/curve_in.hpp"
+#include "rock/curve.hpp"
 #include "io/load.hpp"
 #include "io/program.hpp"
 #include "records/test_description.hpp"
@@ -79,7 +79,7 @@ void draw(const CompareArguments& args, const History& ours, const History& thei
 int compare(const CompareArguments& args, const Session& session) {
   const int width = session.terminal_width;
   if (!args.figure.empty()) format_of(args);
-  const io::ForeignCurve theirs = io::read_curve(args.theirs);
+  const rock::ForeignCurve theirs = rock::read_curve(args.theirs);
   const RunRecord run = io::read_run(args.folder);
   const SpecimenRecord& test = the_test(run, args.folder);
   const History& ours = test.result.history;

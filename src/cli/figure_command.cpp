@@ -14,7 +14,7 @@
 #include "io/load_variation.hpp"
 #include "io/output.hpp"
 #include "io/program.hpp"
-#include "io/rock_in.hpp"
+#include "rock/file.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/report.hpp"
 #include "jobs/run_folder.hpp"
@@ -87,7 +87,7 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
     data.calibration = jobs::read_calibration(args.result);
   else
     data.run = held.calibration ? specimens_of(args.result) : io::read_run(args.result);
-  if (!args.rock.empty()) data.laboratory = targets_of(io::read_rock(args.rock));
+  if (!args.rock.empty()) data.laboratory = targets_of(rock::read_rock(args.rock));
   return data;
 }
 

@@ -9,7 +9,7 @@
 #include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "io/output.hpp"
-#include "io/rock_in.hpp"
+#include "rock/file.hpp"
 #include "jobs/report.hpp"
 
 namespace phy::cli {
@@ -24,7 +24,7 @@ struct ReportArguments {
 /// The exit code.
 int report(const ReportArguments& args) {
   auto [run, extras] = jobs::read_report(args.result);
-  if (!args.rock.empty()) extras.laboratory = targets_of(io::read_rock(args.rock));
+  if (!args.rock.empty()) extras.laboratory = targets_of(rock::read_rock(args.rock));
   const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
   io::check_ending(out, {".html", ".htm"});
   io::check_outputs({out});

@@ -11,8 +11,8 @@
 #include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
-#include "io/rock_in.hpp"
-#include "io/rock_template.hpp"
+#include "rock/file.hpp"
+#include "rock/template.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"
@@ -65,15 +65,15 @@ int rock_new(const std::string& given, const std::string& data) {
     io::read_file(data, largest_table);  // a file, and none that is too large
     const std::filesystem::path from = std::filesystem::absolute(toml).parent_path();
     const std::string table = std::filesystem::proximate(std::filesystem::absolute(data), from).string();
-    io::write_file(toml.string(), io::rock_template(stem, table));
+    io::write_file(toml.string(), rock::rock_template(stem, table));
     print_out("{} names the table; how it is read and what it determines:\n  phyllite rock check {}\n",
               toml.string(), sh_word(toml.string()));
     return 0;
   }
   check_no_table(given);
-  io::write_file(csv.string(), io::rock_table_template());
+  io::write_file(csv.string(), rock::rock_table_template());
   try {
-    io::write_file(toml.string(), io::rock_template(stem, stem + ".csv"));
+    io::write_file(toml.string(), rock::rock_template(stem, stem + ".csv"));
   } catch (const IoError&) {
     std::filesystem::remove(csv);  // both or none: the next try wants free names
     throw;
@@ -84,7 +84,7 @@ int rock_new(const std::string& given, const std::string& data) {
 }
 
 int rock_check(const std::string& path, int width) {
-  write_out(jobs::rock_check(io::read_rock(path), path, width));
+  write_out(jobs::rock_check(rock::read_rock(path), path, width));
   return 0;
 }
 
@@ -135,7 +135,7 @@ void add_rock_command(CLI::App& app, Session& session) {
   auto reference = std::make_shared<bool>(false);
   rock->add_option("--explain", *key, "meaning, range and default of a key of a rock file")
       ->type_name("KEY")
-      ->check(suggested([] { return keys_of({&io::rock_schema()}); }));
+      ->check(suggested([] { return keys_of({&rock::rock_schema()}); }));
   rock->add_flag("--reference", *reference, "print all keys of a rock file");
   auto tables = std::make_shared<bool>(false);
   rock->add_flag("--tables", *tables, "print the layouts, columns and units that are read from a table");
@@ -145,8 +145,8 @@ void add_rock_command(CLI::App& app, Session& session) {
       throw InputError(
           Problem{"command line", "verb", "", "one of new, check, twin", "see `phyllite rock --help`"});
     write_out(*tables      ? jobs::tables_reference()
-              : *reference ? "\n" + jobs::reference_markdown(io::rock_schema())
-                           : jobs::explain({&io::rock_schema()}, *key));
+              : *reference ? "\n" + jobs::reference_markdown(rock::rock_schema())
+                           : jobs::explain({&rock::rock_schema()}, *key));
     session.exit_code = 0;
   });
   auto name = std::make_shared<std::string>("rock");
@@ -169,7 +169,7 @@ void add_rock_command(CLI::App& app, Session& session) {
   twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required()->type_name("FILE");
   twin->add_option("name", *name, "name of the table")->required();
   auto E_is = std::make_shared<std::string>(to_string(ModulusReading::tangent_50));
-  const std::vector<std::string> readings = find_field(io::rock_schema().fields, "E_is")->choices;
+  const std::vector<std::string> readings = find_field(rock::rock_schema().fields, "E_is")->choices;
   twin->add_option("--E-is", *E_is, "what the table calls E, as in a rock file")
       ->check(CLI::IsMember(readings))
       ->capture_default_str();

@@ -16,7 +16,7 @@
 #include "io/json.hpp"
 #include "io/load.hpp"
 #include "io/reads.hpp"
-#include "io/rock_in.hpp"
+#include "rock/file.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/calibration_watch.hpp"
@@ -147,7 +147,7 @@ void check_home() {
         "that is.");
 }
 
-Json choices_of(const char* key) { return find_field(io::rock_schema().fields, key)->choices; }
+Json choices_of(const char* key) { return find_field(rock::rock_schema().fields, key)->choices; }
 
 }  // namespace
 

@@ -12,8 +12,8 @@
 #include "base/hash.hpp"
 #include "base/quote.hpp"
 #include "io/file.hpp"
-#include "io/rock_in.hpp"
-#include "io/rock_template.hpp"
+#include "rock/file.hpp"
+#include "rock/template.hpp"
 #include "io/toml_tree.hpp"
 
 namespace phy::gui {
@@ -112,9 +112,9 @@ std::vector<std::string> rock_names() {
 RockFiles read_rock_files(const std::string& name) {
   check_name(name);
   if (!exists(toml_file(name))) {
-    const std::string csv = name + ".csv", toml = io::rock_template(name, csv);
+    const std::string csv = name + ".csv", toml = rock::rock_template(name, csv);
     if (const auto table = text_of(csv)) return {toml, csv, table, stamp_of("", *table)};
-    return {toml, csv, io::rock_table_template(), ""};
+    return {toml, csv, rock::rock_table_template(), ""};
   }
   const auto toml = text_of(toml_file(name));
   if (!toml) throw IoError(toml_file(name) + ": no text of at most 4 MB");

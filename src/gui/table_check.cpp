@@ -8,11 +8,11 @@
 
 #include "base/check.hpp"
 #include "gui/project.hpp"
-#include "io/rock_in.hpp"
 #include "io/table.hpp"
 #include "jobs/rock_check.hpp"
 #include "report/curves.hpp"
 #include "report/finding_json.hpp"
+#include "rock/file.hpp"
 
 namespace phy::gui {
 namespace {
@@ -112,7 +112,7 @@ Json check_answer(const std::string& name, const std::string& toml, const std::o
                  {"parameters", Json::array()}, {"advice", Json::array()}, {"forecast", nullptr}};
   const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
   try {
-    tell(io::parse_rock(toml, toml_file, {table, {}}), answer);
+    tell(rock::parse_rock(toml, toml_file, {table, {}}), answer);
   } catch (const InputError& e) {
     const io::Table cells = io::parse_table(table.value_or(""), table_file);
     for (const Problem& p : e.problems())

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/units.hpp"
-#include "io/rock_columns.hpp"
+#include "rock/columns.hpp"
 #include "io/table.hpp"
 
 namespace phy::jobs {
@@ -72,7 +72,7 @@ std::string tables_reference() {
   std::string text = head;
   for (const auto& [layout, how] : layouts) text += fmt::format("| {} | {} |\n", layout, how);
   text += fmt::format("| limit | {} columns |\n", io::most_table_columns) + columns_head;
-  for (const io::ColumnRow& c : io::column_rows())
+  for (const rock::ColumnRow& c : rock::column_rows())
     text += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, fmt::join(c.others, ", "));
   text += units_head;
   for (const UnitRow& u : unit_rows())

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/quote.hpp"
-#include "io/rock_in.hpp"
+#include "rock/file.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"
@@ -158,13 +158,13 @@ py::list rows_of_targets(const NamedRock& rock) {
 
 /// Keys of a rock, whose recipe may be an object and whose table may be text.
 NamedRock rock_of(const py::dict& keys, const std::string& where, const std::optional<std::string>& table) {
-  io::RockParts parts;
+  rock::RockParts parts;
   parts.table = table;
   if (keys.contains("recipe") && py::isinstance<Recipe>(keys["recipe"])) {
     parts.recipe = keys["recipe"].cast<Recipe>();
     keys["recipe"] = parts.recipe->name;
   }
-  return {io::rock_of(tree_of(keys, where), where, parts), where};
+  return {rock::rock_of(tree_of(keys, where), where, parts), where};
 }
 
 }  // namespace
@@ -225,7 +225,7 @@ The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for 
   py::class_<NamedRock>(m, "RockRecord")
       .def_static("from_toml",
                   [](const std::string& path) {
-                    return NamedRock{io::read_rock(path), path};
+                    return NamedRock{rock::read_rock(path), path};
                   })
       .def_static("from_keys", &rock_of)
       .def_property_readonly("name", [](const NamedRock& r) { return r.rock.name; })
@@ -234,11 +234,11 @@ The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for 
       .def("check", [](const NamedRock& r) { return jobs::rock_check(r.rock, r.source, 0); });
 
   m.def("explain", [](const std::string& key) {
-    return jobs::explain({&io::recipe_schema(), &io::rock_schema(), &study::study_schema()}, key);
+    return jobs::explain({&io::recipe_schema(), &rock::rock_schema(), &study::study_schema()}, key);
   });
   m.def("keys", [] {
     py::dict all;
-    for (const io::Schema* schema : {&io::recipe_schema(), &io::rock_schema(), &study::study_schema()})
+    for (const io::Schema* schema : {&io::recipe_schema(), &rock::rock_schema(), &study::study_schema()})
       all[py::str(schema->name)] = top_keys(*schema);
     return all;
   });

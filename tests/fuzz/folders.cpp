@@ -8,8 +8,8 @@
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
 #include "io/regressions.hpp"
-#include "io/rock_in.hpp"
-#include "io/rock_table.hpp"
+#include "rock/file.hpp"
+#include "rock/table.hpp"
 #include "io/scene.hpp"
 #include "io/store.hpp"
 #include "io/workbook.hpp"
@@ -55,13 +55,13 @@ bool read_workbook(std::string_view bytes) {
   if (table.problems.empty() && table.rows.empty()) throw Finding("no row, and no problem");
   std::vector<Problem> problems;
   std::vector<std::string> notes;
-  io::parse_readings(archive, "t.xlsx", {}, problems, notes);
+  rock::parse_readings(archive, "t.xlsx", {}, problems, notes);
   return table.problems.empty();
 }
 
 bool read_rock(std::string_view bytes) {
   const Files files(bytes, {"rock.toml", "table.csv", "model.toml"});
-  return accepts([&] { io::read_rock(files.at("rock.toml")); });
+  return accepts([&] { rock::read_rock(files.at("rock.toml")); });
 }
 
 /// The files that a study leaves in its folder are that study again.

@@ -7,7 +7,7 @@
 #include "genesis/cache.hpp"
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
-#include "io/rock_table.hpp"
+#include "rock/table.hpp"
 #include "io/scene.hpp"
 #include "io/toml_in.hpp"
 
@@ -40,8 +40,8 @@ bool read_readings(std::string_view bytes) {
   for (const double confining : {1e7, std::nan("")}) {
     std::vector<Problem> problems;
     std::vector<std::string> notes;
-    const io::Readings readings =
-        io::parse_readings(bytes, "table.csv", {confining, "", {}}, problems, notes);
+    const rock::Readings readings =
+        rock::parse_readings(bytes, "table.csv", {confining, "", {}}, problems, notes);
     read = problems.empty();
     for (const RockReading& r : readings.values)
       if (read && !std::isfinite(r.value)) throw Finding("a reading that is no number");

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "calibrate/calibration.hpp"
-#include "io/rock_table.hpp"
+#include "rock/table.hpp"
 #include "setting.hpp"
 
 namespace phy {
@@ -38,8 +38,8 @@ std::vector<Rock> tensors() {
       Rock rock;
       rock.model.bedding.resize(1);
       std::vector<Problem> problems;
-      const io::Readings read =
-          io::parse_readings(header + "\n" + table, file.filename().string(), {}, problems, rock.notes);
+      const rock::Readings read =
+          rock::parse_readings(header + "\n" + table, file.filename().string(), {}, problems, rock.notes);
       rock.readings = read.values, rock.bedded = read.bedded;
       EXPECT_TRUE(problems.empty()) << file;
       rock.name = file.stem().string().substr(4) + " " + std::to_string(row / n_angles);

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/rock_file_fixture.hpp"
+#include "rock/file_fixture.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 using testing::AllOf;
@@ -105,4 +105,4 @@ TEST_F(RockFile, ARecipeStatesItsGrainsItself) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

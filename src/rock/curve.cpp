@@ -1,4 +1,4 @@
-#include "io/curve_in.hpp"
+#include "rock/curve.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "io/table.hpp"
 #include "io/table_cells.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 constexpr std::size_t least_rows = 5;
@@ -94,7 +94,7 @@ CurveHead curve_head(const std::string& head) {
 class CurveReader {
  public:
   CurveReader(std::string_view text, std::string where)
-      : where_(std::move(where)), table_(parse_table(text, where_)), problems_(table_.problems) {
+      : where_(std::move(where)), table_(io::parse_table(text, where_)), problems_(table_.problems) {
     where_ = table_.where;
     for (const std::string& head : table_.header) heads_.push_back(curve_head(head));
   }
@@ -111,7 +111,7 @@ class CurveReader {
 
  private:
   std::string where_;
-  Table table_;
+  io::Table table_;
   std::vector<Problem> problems_;
   std::vector<CurveHead> heads_;
   std::vector<CurveColumn> columns_;
@@ -123,10 +123,10 @@ class CurveReader {
   /// Units in a row of their own: some units, and nothing that could be measured.
   void take_row_of_units() {
     if (table_.rows.empty()) return;
-    const TableRow row = table_.rows.front();
-    const auto is_value = [](const std::string& cell) { return cell != "1" && looks_measured(cell); };
+    const io::TableRow row = table_.rows.front();
+    const auto is_value = [](const std::string& cell) { return cell != "1" && io::looks_measured(cell); };
     const auto is_unit = [](const std::string& cell) {
-      return !looks_measured(cell) && find_unit(bare(cell));
+      return !io::looks_measured(cell) && find_unit(bare(cell));
     };
     if (std::any_of(row.cells.begin(), row.cells.end(), is_value) ||
         std::none_of(row.cells.begin(), row.cells.end(), is_unit))
@@ -203,8 +203,8 @@ class CurveReader {
   }
 
   void read_rows() {
-    std::vector<RepeatedProblem> bad(columns_.size());
-    for (const TableRow& row : table_.rows) {
+    std::vector<io::RepeatedProblem> bad(columns_.size());
+    for (const io::TableRow& row : table_.rows) {
       HistoryRow r;
       r.n_cracks = nan;  // where no column counts them
       for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -220,7 +220,7 @@ class CurveReader {
       }
       curve_.history.rows.push_back(r);
     }
-    for (const RepeatedProblem& p : bad) p.tell(problems_);
+    for (const io::RepeatedProblem& p : bad) p.tell(problems_);
     if (problems_.empty() && curve_.history.rows.size() < least_rows)
       problems_.push_back({where_, "", fmt::format("{} rows", curve_.history.rows.size()),
                            fmt::format("at least {} rows", least_rows), "write the curve more often"});
@@ -252,6 +252,6 @@ ForeignCurve parse_curve(std::string_view text, const std::string& where) {
   return CurveReader(text, where).read();
 }
 
-ForeignCurve read_curve(const std::string& path) { return parse_curve(read_file(path), path); }
+ForeignCurve read_curve(const std::string& path) { return parse_curve(io::read_file(path), path); }
 
-}  // namespace phy::io
+}  // namespace phy::rock

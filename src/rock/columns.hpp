@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/units.hpp"
-#include "io/rock_names.hpp"
 #include "records/rock.hpp"
+#include "rock/names.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 
 struct Head {
   Column kind = Column::other;
@@ -50,4 +50,4 @@ struct ColumnRow {
 };
 const std::vector<ColumnRow>& column_rows();
 
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/rock_file_fixture.hpp"
-#include "io/rock_table.hpp"
 #include "io/table_cells.hpp"
+#include "rock/file_fixture.hpp"
+#include "rock/table.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 using testing::AllOf;
@@ -140,7 +140,7 @@ TEST_F(Layouts, StrengthsThatAreNotUnderstoodAreAskedFor) {
         "UCS1 (MPa)", "Point load Is(50) (bar)", "强度", "UCS (ton/ft)", "Прочность на сжатие", "E-Modul",
         "Módulo elástico", "圧縮強度"})
     expect_asked("theta (deg),E (GPa)," + std::string(header) + "\n0,20,80\n45,21,55\n90,30,88\n",
-                 plain_name(header));
+                 io::plain_name(header));
   // Words are no strengths.
   EXPECT_THAT(
       problems("theta (deg),E (GPa),Strength class,Load (kN),Loading rate,Plug no,Strain at peak stress (%)\n"
@@ -398,4 +398,4 @@ TEST_F(Layouts, TablesFromOutsideAreReadOrAskedAbout) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -1,4 +1,4 @@
-#include "io/rock_table.hpp"
+#include "rock/table.hpp"
 
 #include <fmt/format.h>
 
@@ -13,12 +13,12 @@
 
 #include "base/nan.hpp"
 #include "base/units.hpp"
-#include "io/rock_directions.hpp"
 #include "io/table.hpp"
 #include "io/workbook.hpp"
+#include "rock/directions.hpp"
 #include "theory/jaeger.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 constexpr double most_apart = 5.0;  // standard deviations between two rows of one cell
@@ -61,7 +61,7 @@ Range range_of(const Head& h) {
 /// Reads the cells of a table.
 class ReadingReader {
  public:
-  ReadingReader(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
+  ReadingReader(io::Table& table, const TableKeys& keys, std::vector<Problem>& problems,
                 std::vector<std::string>& notes)
       : heads_(read_heads(table, keys, problems, notes)),
         table_(table),
@@ -78,7 +78,7 @@ class ReadingReader {
   }
 
   Readings read() {
-    for (const TableRow& row : table_.rows) read_row(row, keys_.confining);
+    for (const io::TableRow& row : table_.rows) read_row(row, keys_.confining);
     check_angles();
     check_repeats();
     check_confined();
@@ -120,7 +120,7 @@ class ReadingReader {
 
  private:
   const Heads heads_;  // before the rows: it may take a row of units out of the table
-  const Table& table_;
+  const io::Table& table_;
   const std::string& where_;
   const TableKeys& keys_;
   std::vector<Problem>& problems_;
@@ -146,7 +146,7 @@ class ReadingReader {
   }
 
   /// One cell in SI units; NaN if it is empty. False: a problem has been reported.
-  bool number(const TableRow& row, std::size_t column, double& value) {
+  bool number(const io::TableRow& row, std::size_t column, double& value) {
     const Head& h = heads_.all[column];
     const bool angle = h.kind == Column::theta || h.kind == Column::beta;
     value = nan;
@@ -200,7 +200,7 @@ class ReadingReader {
   static std::string remedy_of(const std::string& cell, bool begins) {
     if (cell == "nan" || cell == "NaN" || cell == "n/a" || cell == "N/A" || cell == "n.d." || cell == "inf")
       return "leave the cell empty where nothing was measured";
-    if (cell == formula_without_value)
+    if (cell == io::formula_without_value)
       return "its value was not saved: open the workbook in the spreadsheet and save it";
     if (begins && std::isalpha(static_cast<unsigned char>(cell.back())) != 0)  // "45 GPa"
       return "units stand in the header only: mixed units are not read";
@@ -214,13 +214,13 @@ class ReadingReader {
   }
 
   /// A row that holds nothing of what is read: blank, or a remark.
-  bool is_empty(const TableRow& row) const {
+  bool is_empty(const io::TableRow& row) const {
     for (std::size_t i = 0; i < heads_.all.size(); ++i)
       if (is_read(i) && !row.cells[i].empty() && !row.merged.contains(i)) return false;
     return true;
   }
 
-  void read_row(const TableRow& row, double confining) {
+  void read_row(const io::TableRow& row, double confining) {
     if (is_empty(row)) return;
     auto word = std::find_if(row.cells.begin(), row.cells.end(), is_summary);
     const auto name =
@@ -418,11 +418,11 @@ class ReadingReader {
 
 Readings parse_readings(std::string_view bytes, const std::string& where, const TableKeys& keys,
                         std::vector<Problem>& problems, std::vector<std::string>& notes) {
-  Table table = parse_table(bytes, where, keys.sheet);
+  io::Table table = io::parse_table(bytes, where, keys.sheet);
   for (Problem& p : table.problems) problems.push_back(std::move(p));
   for (std::string& note : table.notes) notes.push_back(fmt::format("{}: {}", table.where, note));
   if (table.header_line == 0) return {};
   return ReadingReader(table, keys, problems, notes).read();
 }
 
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -1,4 +1,4 @@
-#include "io/rock_heads.hpp"
+#include "rock/heads.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "base/quote.hpp"
 #include "base/trimmed.hpp"
 #include "base/units.hpp"
-#include "io/rock_directions.hpp"
 #include "io/table_cells.hpp"
+#include "rock/directions.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 constexpr std::size_t most_examples = 3;  // of cells, in a question
@@ -38,7 +38,7 @@ std::string quoted(const std::vector<std::string>& texts) {
 
 class HeadsReader {
  public:
-  HeadsReader(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
+  HeadsReader(io::Table& table, const TableKeys& keys, std::vector<Problem>& problems,
               std::vector<std::string>& notes)
       : table_(table), keys_(keys), problems_(problems), notes_(notes) {}
 
@@ -55,7 +55,7 @@ class HeadsReader {
   }
 
  private:
-  Table& table_;
+  io::Table& table_;
   const TableKeys& keys_;
   std::vector<Problem>& problems_;
   std::vector<std::string>& notes_;
@@ -76,13 +76,13 @@ class HeadsReader {
 
   std::vector<std::string> cells_of(std::size_t column) const {
     std::vector<std::string> cells;
-    for (const TableRow& row : table_.rows)
+    for (const io::TableRow& row : table_.rows)
       if (!is_nothing(row.cells[column])) cells.push_back(row.cells[column]);
     return cells;
   }
   template <class Is>
   bool any_cell(std::size_t column, const Is& is) const {
-    return std::any_of(table_.rows.begin(), table_.rows.end(), [&](const TableRow& row) {
+    return std::any_of(table_.rows.begin(), table_.rows.end(), [&](const io::TableRow& row) {
       return !is_nothing(row.cells[column]) && is(row.cells[column]);
     });
   }
@@ -170,13 +170,13 @@ class HeadsReader {
   }
 
   /// Units in a row of their own: at least half of its cells, and no number.
-  bool is_row_of_units(const TableRow& row) const {
+  bool is_row_of_units(const io::TableRow& row) const {
     std::size_t units = 0, others = 0;
     for (std::size_t i = 0; i < heads_.all.size(); ++i) {
       const std::string& cell = row.cells[i];
       if (is_nothing(cell) || cell == "1") continue;
       const std::string unit = is_number(cell) ? "" : unit_of_cell(cell);
-      if (unit.empty() && looks_measured(cell)) return false;
+      if (unit.empty() && io::looks_measured(cell)) return false;
       ++(unit.empty() ? others : units);
     }
     return units > 0 && units >= others;
@@ -343,7 +343,7 @@ class HeadsReader {
     const bool speaks = (h.speaks_of.values || h.summary) && !unit;  // "UCS diameter [mm]" is no strength
     if (may_be_angle(i))
       ask_for_angle(i);
-    else if (angle || value || (speaks && any_cell(i, looks_measured)))
+    else if (angle || value || (speaks && any_cell(i, io::looks_measured)))
       unknown_.push_back(header(i));
     else if (needs_angles() && h.speaks_of.directions && h.unit.empty() && !cells_of(i).empty())
       describe_layers_.push_back(header(i));
@@ -372,7 +372,7 @@ class HeadsReader {
     return toml_string(header(i) + (bare ? " [deg]" : ""));
   }
   void check_nameless(std::size_t i) {
-    for (const TableRow& row : table_.rows)
+    for (const io::TableRow& row : table_.rows)
       if (!row.cells[i].empty())
         return report_problem(fmt::format("column {}", i + 1), "", "a header",
                               fmt::format("line {} has a value there", row.line));
@@ -551,9 +551,9 @@ std::optional<std::size_t> Heads::find(Column kind, Property p) const {
   return std::nullopt;
 }
 
-Heads read_heads(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
+Heads read_heads(io::Table& table, const TableKeys& keys, std::vector<Problem>& problems,
                  std::vector<std::string>& notes) {
   return HeadsReader(table, keys, problems, notes).read();
 }
 
-}  // namespace phy::io
+}  // namespace phy::rock

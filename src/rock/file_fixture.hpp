@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/in_folder_fixture.hpp"
-#include "io/rock_in.hpp"
+#include "rock/file.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 
 class RockFile : public InFolder {
  protected:
@@ -29,4 +29,4 @@ class RockFile : public InFolder {
   }
 };
 
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace phy::io {
+namespace phy::rock {
 
 /// The inclination that words of a cell below a header mean [deg]: 90 where the layers are parallel to the
 /// load, 0 where they are perpendicular. V and H say it of the layers, or of the axis of a plug in layers
@@ -12,4 +12,4 @@ std::optional<double> direction_in_words(const std::string& cell, const std::str
 /// A cell without its degree sign, "30°"; nothing where it has none.
 std::optional<std::string> without_degree_sign(const std::string& cell);
 
-}  // namespace phy::io
+}  // namespace phy::rock

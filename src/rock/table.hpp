@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "io/rock_heads.hpp"
 #include "records/rock.hpp"
+#include "rock/heads.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 
 struct Readings {
   std::vector<RockReading> values;
@@ -25,4 +25,4 @@ struct Readings {
 Readings parse_readings(std::string_view bytes, const std::string& where, const TableKeys& keys,
                         std::vector<Problem>& problems, std::vector<std::string>& notes);
 
-}  // namespace phy::io
+}  // namespace phy::rock

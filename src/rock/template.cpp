@@ -1,8 +1,8 @@
-#include "io/rock_template.hpp"
+#include "rock/template.hpp"
 
 #include "base/quote.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 constexpr const char* before_name =
@@ -76,4 +76,4 @@ std::string rock_template(const std::string& name, const std::string& file) {
 
 std::string rock_table_template() { return table_template; }
 
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -9,7 +9,7 @@
 
 #include "records/rock.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 
 /// What a column holds. `scatter`: the standard deviation of the property. `cohesion` and `friction`: of a
 /// Mohr-Coulomb envelope through strengths under `least_confining` to `most_confining`.
@@ -78,4 +78,4 @@ bool is_scatter(const std::string& cell);
 /// The same of a row's name with more words: "Mean values (n = 3)", "Standard deviation".
 bool begins_summary(const std::string& cell);
 
-}  // namespace phy::io
+}  // namespace phy::rock

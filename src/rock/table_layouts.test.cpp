@@ -5,13 +5,17 @@
 #include <gtest/gtest.h>
 
 #include "io/ags.hpp"
-#include "io/rock_file_fixture.hpp"
 #include "io/table_cells.hpp"
 #include "io/table_layout.hpp"
+#include "rock/file_fixture.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
+using io::is_ags;
+using io::parse_table;
+using io::plain_cell;
+using io::Table;
 using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
@@ -274,4 +278,4 @@ TEST_F(RockFile, OtherLayoutsAreRocks) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

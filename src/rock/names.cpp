@@ -1,4 +1,4 @@
-#include "io/rock_names.hpp"
+#include "rock/names.hpp"
 
 #include <array>
 #include <cctype>
@@ -7,7 +7,7 @@
 
 #include "base/units.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 /// Words of angles, which count from the load in some laboratories, from the horizontal in others.
@@ -338,4 +338,4 @@ bool begins_summary(const std::string& cell) {
   return deviation || contains(words, all[0]);
 }
 
-}  // namespace phy::io
+}  // namespace phy::rock

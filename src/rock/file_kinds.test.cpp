@@ -5,12 +5,17 @@
 
 #include "base/in_folder_fixture.hpp"
 #include "io/regressions.hpp"
-#include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
+#include "rock/file.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
+using io::parse_recipe;
+using io::parse_toml;
+using io::read_user_file;
+using io::refuse_other_kind;
+using io::TomlValue;
 using testing::HasSubstr;
 
 const char* const rock = "name = \"slate\"\ndata = \"slate.csv\"\n[specimen]\nwidth = \"38 mm\"\n";
@@ -111,4 +116,4 @@ TEST(FileKinds, ReadersRefuseTheOther) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -1,4 +1,4 @@
-// What the columns of a laboratory's table hold: headers as laboratories write them (io/rock_columns.hpp),
+// What the columns of a laboratory's table hold: headers as laboratories write them (rock/columns.hpp),
 // the word of the rock file before them, units in the header or in a row of their own, specimens side by
 // side. A column that may hold a direction, a strength or a modulus is read or asked for, never left out in
 // silence.
@@ -10,10 +10,10 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
-#include "io/rock_columns.hpp"
 #include "io/table.hpp"
+#include "rock/columns.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 
 /// What a rock file says of its table.
 struct TableKeys {
@@ -34,7 +34,7 @@ struct Heads {
 
 /// Reads the header of `table`, and takes a row of units below it out of the rows. Appends to `problems` what
 /// has to be asked or cannot be read, to `notes` how the rest is read.
-Heads read_heads(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
+Heads read_heads(io::Table& table, const TableKeys& keys, std::vector<Problem>& problems,
                  std::vector<std::string>& notes);
 
-}  // namespace phy::io
+}  // namespace phy::rock

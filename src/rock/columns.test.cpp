@@ -1,10 +1,10 @@
 // Headers as laboratories write them.
-#include "io/rock_columns.hpp"
+#include "rock/columns.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 struct Case {
@@ -145,4 +145,4 @@ TEST(RockColumns, TheUserHasTheLastWord) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -6,7 +6,7 @@
 
 #include "records/result.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 
 struct ForeignCurve {
   History history;  ///< strain, stress and cracks, NaN where the table has no column of them; zeros elsewhere
@@ -22,4 +22,4 @@ ForeignCurve parse_curve(std::string_view text, const std::string& where);
 /// The same of a file; throws IoError as well.
 ForeignCurve read_curve(const std::string& path);
 
-}  // namespace phy::io
+}  // namespace phy::rock

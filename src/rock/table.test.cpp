@@ -1,12 +1,12 @@
 // Tables as laboratories have them: what columns are taken for, and what is asked for.
-#include "io/rock_table.hpp"
+#include "rock/table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/rock_file_fixture.hpp"
+#include "rock/file_fixture.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 using testing::AllOf;
@@ -145,4 +145,4 @@ TEST_F(RockFile, E50IsSaidToBeTheTangent) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -7,9 +7,9 @@
 #include "io/document.hpp"
 #include "records/rock.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 
-const Schema& rock_schema();
+const io::Schema& rock_schema();
 
 /// Reads a rock file with its table and, where it names one, its recipe (both beside the rock file). Throws
 /// IoError, or InputError with every problem of all files.
@@ -24,6 +24,6 @@ struct RockParts {
 /// As read_rock, from the text of a rock file that is or will be at `path`.
 Rock parse_rock(std::string_view text, const std::string& path, const RockParts& parts);
 /// As read_rock, from keys that stand in no file; the files that they name count from the working directory.
-Rock rock_of(TomlValue keys, const std::string& where, const RockParts& parts);
+Rock rock_of(io::TomlValue keys, const std::string& where, const RockParts& parts);
 
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -1,11 +1,11 @@
-#include "io/rock_directions.hpp"
+#include "rock/directions.hpp"
 
 #include <array>
 
 #include "base/units.hpp"
-#include "io/rock_names.hpp"
+#include "rock/names.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 /// Does a header name the axis of a plug or of the load, or the layers? Nothing: neither or both.
@@ -56,4 +56,4 @@ std::optional<std::string> without_degree_sign(const std::string& cell) {
   return cell.substr(0, digits + 1);
 }
 
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -6,14 +6,14 @@
 
 #include "base/in_folder_fixture.hpp"
 #include "base/rng.hpp"
-#include "io/rock_file_fixture.hpp"
-#include "io/rock_template.hpp"
 #include "io/table.hpp"
 #include "records/calibration.hpp"
+#include "rock/file_fixture.hpp"
+#include "rock/template.hpp"
 #include "theory/envelope_fit.hpp"
 #include "theory/jaeger.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 using testing::AllOf;
@@ -459,11 +459,11 @@ TEST_F(RockFile, DoubtfulValuesAreReadAndSaid) {
 }
 
 TEST(TableText, QuotedCellsMayHoldTheDelimiter) {
-  const Table t = parse_table("a,b\n\"x, \"\"y\"\"\",2\n# comment\n\n", "t");
+  const io::Table t = io::parse_table("a,b\n\"x, \"\"y\"\"\",2\n# comment\n\n", "t");
   ASSERT_THAT(t.rows, SizeIs(1));
   EXPECT_EQ(t.rows[0].cells[0], "x, \"y\"");
   EXPECT_THAT(t.problems, IsEmpty());
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

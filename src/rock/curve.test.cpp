@@ -1,5 +1,5 @@
 // Curves of others: names, units, signs, and one error with everything that is wrong.
-#include "io/curve_in.hpp"
+#include "rock/curve.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "base/check.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 using testing::HasSubstr;
@@ -132,4 +132,4 @@ TEST(CurveIn, CellsThatAreNoNumbersAreToldOncePerColumn) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock

@@ -1,4 +1,4 @@
-#include "io/rock_columns.hpp"
+#include "rock/columns.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "base/trimmed.hpp"
 #include "io/table_cells.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 std::string bare(std::string_view s, std::string_view of = " \t") { return std::string(trimmed(s, of)); }
@@ -104,7 +104,7 @@ bool is_ascii(std::string_view text) {
 /// "E [GPa]", "E (GPa)", "E, GPa", "E GPa" and "E_GPa" are the same: title and unit. Behind a separator a
 /// tail counts as a unit only if it is one ("E_sd" is a name); so does what stands in the last brackets.
 std::pair<std::string, std::string> split_head(const std::string& header) {
-  const std::string cell = plain_name(header);
+  const std::string cell = io::plain_name(header);
   // Units of toughness hold separators and brackets themselves, "K_Ic MPa sqrt(m)": the longest tail first.
   const char* const separators = "_ ,;:/";
   for (std::size_t at = cell.find_first_of(separators); at != cell.npos;
@@ -335,4 +335,4 @@ const std::vector<ColumnRow>& column_rows() {
   return rows;
 }
 
-}  // namespace phy::io
+}  // namespace phy::rock

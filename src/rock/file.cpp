@@ -1,4 +1,4 @@
-#include "io/rock_in.hpp"
+#include "rock/file.hpp"
 
 #include <fmt/format.h>
 
@@ -13,13 +13,13 @@
 #include "base/quote.hpp"
 #include "io/file.hpp"
 #include "io/file_kinds.hpp"
-#include "io/rock_columns.hpp"
-#include "io/rock_table.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/rock_warnings.hpp"
+#include "rock/columns.hpp"
+#include "rock/table.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 // Fewer angles cannot show a minimum between 0 and 90 degrees.
@@ -132,7 +132,7 @@ class RockReader {
         rock_(rock),
         problems_(file_.problems),
         parts_(parts) {}
-  RockReader(TomlValue keys, const std::string& where, const RockParts& parts, Rock& rock)
+  RockReader(io::TomlValue keys, const std::string& where, const RockParts& parts, Rock& rock)
       : path_(where),
         file_(std::move(keys), where, rock_schema(), {}),
         rock_(rock),
@@ -159,7 +159,7 @@ class RockReader {
 
  private:
   const std::string& path_;
-  Document file_;
+  io::Document file_;
   Rock& rock_;
   std::vector<Problem>& problems_;
   RockParts parts_;
@@ -176,7 +176,7 @@ class RockReader {
     }
     if (!file_.is_known("recipe")) return false;
     const std::optional<Recipe> recipe =
-        parts_.recipe ? parts_.recipe : file_.read_named("recipe", read_recipe);
+        parts_.recipe ? parts_.recipe : file_.read_named("recipe", io::read_recipe);
     if (!recipe) return false;
     rock_.model = *recipe, rock_.grains_stated = true;
     rock_.notes.insert(rock_.notes.end(), recipe->notes.begin(), recipe->notes.end());
@@ -253,9 +253,9 @@ class RockReader {
     const std::string file = file_.beside(file_.text("recipe", ""));
     if (parts_.recipe) return file_.text("recipe", "");
     std::vector<Problem> none;
-    const TomlValue root = parse_toml(read_file(file), file, none);
-    const TomlValue* specimen = root.find("specimen");
-    return specimen != nullptr ? at_line(file, specimen->line) : file;
+    const io::TomlValue root = io::parse_toml(io::read_file(file), file, none);
+    const io::TomlValue* specimen = root.find("specimen");
+    return specimen != nullptr ? io::at_line(file, specimen->line) : file;
   }
   bool refuse_second_size(const SpecimenSize& here) {
     const SpecimenSize& there = rock_.model.specimen;
@@ -430,7 +430,7 @@ class RockReader {
     TableKeys keys{file_.number("confining", nan), file_.text("sheet", ""), columns(), {}};
     if (is_given("bedded")) keys.bedded = file_.number("bedded", 1.0) == 1.0;
     auto readings = file_.read_named("data", [&](const std::string& table) {
-      return parse_readings(parts_.table ? *parts_.table : read_file(table, largest_table), table_, keys,
+      return parse_readings(parts_.table ? *parts_.table : io::read_file(table, largest_table), table_, keys,
                             problems_, rock_.notes);
     });
     if (!readings) return;
@@ -489,11 +489,11 @@ class RockReader {
   std::map<std::string, std::string> columns() {
     std::map<std::string, std::string> named;
     const Field& field = *find_field(rock_fields(), "columns.\"header\"");
-    for (const TomlValue* table : file_.tables("columns"))
+    for (const io::TomlValue* table : file_.tables("columns"))
       for (std::size_t i = 0; i < table->keys.size(); ++i) {
         double choice = 0.0;
         std::string remedy;
-        if (take_value(field, table->items[i], choice, remedy))
+        if (io::take_value(field, table->items[i], choice, remedy))
           named[table->keys[i].name] = field.choices[static_cast<std::size_t>(choice)];
         else
           file_.report_problem(table->items[i], "columns.\"" + table->keys[i].name + '"', range_text(field),
@@ -549,17 +549,17 @@ class RockReader {
 
 }  // namespace
 
-const Schema& rock_schema() {
-  static const Schema schema{"rock",
-                             "rock",
-                             rock_fields(),
-                             {},
-                             "a key of the recipe: write it there, and recipe = \"model.toml\" here"};
+const io::Schema& rock_schema() {
+  static const io::Schema schema{"rock",
+                                 "rock",
+                                 rock_fields(),
+                                 {},
+                                 "a key of the recipe: write it there, and recipe = \"model.toml\" here"};
   return schema;
 }
 
 Rock read_rock(const std::string& path) {
-  return parse_rock(read_user_file(path, rock_schema().name), path, {});
+  return parse_rock(io::read_user_file(path, rock_schema().name), path, {});
 }
 
 Rock parse_rock(std::string_view text, const std::string& path, const RockParts& parts) {
@@ -568,10 +568,10 @@ Rock parse_rock(std::string_view text, const std::string& path, const RockParts&
   return rock;
 }
 
-Rock rock_of(TomlValue keys, const std::string& where, const RockParts& parts) {
+Rock rock_of(io::TomlValue keys, const std::string& where, const RockParts& parts) {
   Rock rock;
   RockReader(std::move(keys), where, parts, rock).read();
   return rock;
 }
 
-}  // namespace phy::io
+}  // namespace phy::rock

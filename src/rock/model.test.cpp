@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/rock_file_fixture.hpp"
+#include "rock/file_fixture.hpp"
 
-namespace phy::io {
+namespace phy::rock {
 namespace {
 
 using testing::AllOf;
@@ -168,4 +168,4 @@ TEST_F(RockFile, ARecipeWithDirectionsAloneGetsNoPlanes) {
 }
 
 }  // namespace
-}  // namespace phy::io
+}  // namespace phy::rock
