@@ -7,11 +7,11 @@
 #include "cli/progress.hpp"
 #include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
-#include "rock/file.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/calibration_watch.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
+#include "rock/file.hpp"
 
 namespace phy::cli {
 namespace {

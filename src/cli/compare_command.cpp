@@ -11,11 +11,11 @@
 #include "cli/machine.hpp"
 #include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
-#include "rock/curve.hpp"
 #include "io/load.hpp"
 #include "io/program.hpp"
 #include "records/test_description.hpp"
 #include "report/comparison.hpp"
+#include "rock/curve.hpp"
 
 namespace phy::cli {
 namespace {

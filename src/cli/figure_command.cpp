@@ -14,11 +14,11 @@
 #include "io/load_variation.hpp"
 #include "io/output.hpp"
 #include "io/program.hpp"
-#include "rock/file.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/report.hpp"
 #include "jobs/run_folder.hpp"
 #include "report/figures.hpp"
+#include "rock/file.hpp"
 
 namespace phy::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "io/output.hpp"
-#include "rock/file.hpp"
 #include "jobs/report.hpp"
+#include "rock/file.hpp"
 
 namespace phy::cli {
 namespace {

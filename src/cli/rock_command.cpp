@@ -11,12 +11,12 @@
 #include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
-#include "rock/file.hpp"
-#include "rock/template.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"
 #include "jobs/tables_reference.hpp"
+#include "rock/file.hpp"
+#include "rock/template.hpp"
 
 namespace phy::cli {
 namespace {

@@ -16,13 +16,13 @@
 #include "io/json.hpp"
 #include "io/load.hpp"
 #include "io/reads.hpp"
-#include "rock/file.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/calibration_watch.hpp"
 #include "jobs/folder_lock.hpp"
 #include "jobs/machine.hpp"
 #include "records/test_description.hpp"
+#include "rock/file.hpp"
 
 namespace phy::gui {
 

@@ -12,9 +12,9 @@
 #include "base/hash.hpp"
 #include "base/quote.hpp"
 #include "io/file.hpp"
+#include "io/toml_tree.hpp"
 #include "rock/file.hpp"
 #include "rock/template.hpp"
-#include "io/toml_tree.hpp"
 
 namespace phy::gui {
 

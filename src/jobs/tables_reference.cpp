@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/units.hpp"
-#include "rock/columns.hpp"
 #include "io/table.hpp"
+#include "rock/columns.hpp"
 
 namespace phy::jobs {
 namespace {

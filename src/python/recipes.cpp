@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "base/quote.hpp"
-#include "rock/file.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"
@@ -15,6 +14,7 @@
 #include "records/calibration.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/specimen_record.hpp"
+#include "rock/file.hpp"
 #include "study/study_in.hpp"
 
 namespace phy::python {

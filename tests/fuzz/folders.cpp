@@ -8,11 +8,11 @@
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
 #include "io/regressions.hpp"
-#include "rock/file.hpp"
-#include "rock/table.hpp"
 #include "io/scene.hpp"
 #include "io/store.hpp"
 #include "io/workbook.hpp"
+#include "rock/file.hpp"
+#include "rock/table.hpp"
 #include "study/store.hpp"
 #include "study/study_in.hpp"
 

@@ -7,9 +7,9 @@
 #include "genesis/cache.hpp"
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
-#include "rock/table.hpp"
 #include "io/scene.hpp"
 #include "io/toml_in.hpp"
+#include "rock/table.hpp"
 
 namespace phy::fuzz {
 
