@@ -177,7 +177,7 @@ fuzz: deps-clang
 
 # All tests of `make test` under address and undefined, then under thread those of the rooms that start threads. The
 # library that counts events is loaded before the sanitizer's, which is meant.
-THREADED := test_base test_statics test_study test_calibrate test_desk test_x_determinism
+THREADED := test_base test_statics test_study test_calibrate test_gui test_x_determinism
 sanitize: asan
 	@$(MAKE) --no-print-directory tsan
 tsan: deps
