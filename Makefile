@@ -160,6 +160,7 @@ lint:
 	@python3 tools/tools_test.py --quiet
 	@python3 tools/check_functions.py
 	@python3 tools/status.py --check
+	@python3 tools/check_docs.py
 
 # By the commands of a build without batches, which need not be run.
 tidy:

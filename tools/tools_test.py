@@ -5,8 +5,10 @@ import pathlib
 import tempfile
 import unittest
 
+import check_docs
 import compare_calibrations
 import cpp_text
+import status
 
 HARD = r'''
 #define TWO_LINES(x) if (x) { \
@@ -79,6 +81,54 @@ class Comparison(unittest.TestCase):
         self.assertEqual(self.differences(lambda j: j["parameters"][0].update(value=0.3)), ["parameters[E_c].value"])
         self.assertEqual(self.differences(lambda j: j["verdict"].update(status="out of reach")), ["verdict.status"])
         self.assertEqual(self.differences(lambda j: j["fitted"].pop()), ["fitted[UCS, theta [deg] 30].model"])
+
+
+LONG = "word " * 31
+PAGE = f"""# A page
+
+{LONG.strip()}.
+
+Between 1, 2, 3 and 4 it moves. UCS(60) by Eq. 4 of (2004) is `1, 2, 3, 4` MPa in 38 x 76 mm.
+
+The slope is that of the line. It ran on 25 November.
+
+| a | b |
+|---|---|
+| 1 | 2 | 3 |
+| {LONG}| 2 |
+
+[here](#a-page), [there](#nowhere), [away](missing.md)
+
+```
+{LONG} that of 1 2 3 4
+```
+"""
+
+
+class Documents(unittest.TestCase):
+    def test_every_fault_of_a_page_is_found_once_and_code_is_left_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "page.md")
+            path.write_text(PAGE, encoding="utf-8")
+            page = check_docs.Page(path)
+            text = [line for line, _ in check_docs.problems_of_text(page)]
+            self.assertEqual(text, [3, 5, 7, 7])
+            self.assertEqual([line for line, _ in check_docs.problems_of_tables(page)], [11, 12])
+            self.assertEqual([found for _, found in check_docs.problems_of_links(page, {})],
+                             ["no such heading: #nowhere", "a link to nowhere: missing.md"])
+
+    def test_sentences_end_where_a_reader_ends_them(self):
+        text = "Fig. 3 shows E. nu falls (see Eq. 1). sigma_c stays. It is 0.5 there."
+        self.assertEqual(len(check_docs.sentences(text)), 4)
+
+
+class Status(unittest.TestCase):
+    def test_a_goal_is_compared_with_the_value(self):
+        for goal, value, unit, expected in (("<= 3 %", "-3.1", "%", "no"), ("<= 3 %", "2.9", "%", "yes"), (">= 18 of 20", "17 of 20", "", "no"),
+                                            ("88 - 100 %", "95", "%", "yes"), ("equal", "equal", "", "yes"), ("", "1", "", "")):
+            self.assertEqual(status.holds(goal, value, unit), expected, goal)
+        with self.assertRaises(ValueError):
+            status.holds("<= 3 s", "2", "%")
 
 
 if __name__ == "__main__":
