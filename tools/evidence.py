@@ -17,6 +17,7 @@ import sqlite3
 import sys
 import zlib
 
+import measured
 from results_csv import number
 from results_csv import rows_of as all_rows_of
 
@@ -565,137 +566,159 @@ def summary(results, numbers, softer):
     return table(["claim", "source", "theirs", "ours (deviation where theirs is 0 or 1)", "interval", "repeat"], rows + bodies_rows(results) + yade_rows(PEERS))
 
 
+def measured_rows(numbers):
+    """Rows of measured/laboratory.csv: the granite, by the reading at the top of the page."""
+    near = numbers[1e-3]
+    E = [p[0] for p in readings(near["ucs"])["platens", "secant", "plane strain"]]
+    for claim, values, unit in (("E, paper 70.9 GPa", E, "GPa"), ("UCS, paper 199.1 MPa", column(near["ucs"], "ucs", 1e-6), "MPa"),
+                                ("BTS, paper 44.7 MPa", column(near["jaws"], "bts", 1e-6), "MPa"),
+                                ("friction angle, paper 29.5 deg", friction_angles(near["ucs"], near["confined"]), "deg")):
+        value, _, interval = shown(values, 1).partition(" +- ")
+        yield measured.row(f"Lac du Bonnet: {claim}", value, unit, f"+- {interval}" if interval else "", f"{len(values)} packings")
+
+
 def page(results, docs):
     joint, softer = joint_section(results)
     granite, numbers = granite_section(results)
+    measured.add("laboratory", measured_rows(numbers), "make evidence")
     (docs / "evidence.md").write_text(HEAD + summary(results, numbers, softer) + joint + granite + BODIES + yade_section(PEERS) + convergence_section(results) + OPEN)
 
 
 HEAD = """# Evidence
 
-Numbers that nobody here made, beside ours: closed forms of whole bodies, published results. `make evidence` runs the studies of
-`examples/evidence/` (resumed where they are; an hour of CPU in all) and writes this page from their stores; a single one is
-`phyllite study examples/evidence/NAME.toml --out results/evidence/NAME`. "verify V25" is `phyllite verify V25`, seconds, and a test; so are the
-others of that kind. +- is the 95 % interval of the mean over packings (Student's t).
+Numbers that nobody here made, beside ours: exact solutions of whole bodies, and published results. `make evidence` runs the studies of
+`examples/evidence/` (an hour of CPU, resumed where they are) and writes this page from their stores. A single one is
+`phyllite study examples/evidence/NAME.toml --out results/evidence/NAME`. "verify V25" is `phyllite verify V25`, seconds, and a test.
++- is the 95 % interval of the mean over packings (Student's t).
 
-Two marks stand where the paper's own table has not been read: **second hand**, as somebody else quotes it (who, below), and **from memory**. Do
-not cite either from here. Not run at all: PFC2D itself, a published 50 x 100 mm specimen (see the end).
+Two marks stand where the paper's own table has not been read. **Second hand**: as somebody else quotes it (who, below). **From memory**: do
+not cite it from here. Not run at all: PFC2D itself, and a published 50 x 100 mm specimen (see the end).
 
 """
 JOINT = """
 ## One joint through a column: Jaeger's plane of weakness
 
-A column of 10 x 43 mm, 1,120 discs, with a single plane through its centre that meets no platen (height >= width (tan 75 + 0.5)); crossing rule;
-smooth joints with k_n, k_s and mu of the paper's Table 2, c = 5 MPa and tan(phi) = mu; sides in a jacket, so that the halves may slide. Jaeger
-with c_w = c sum(A)/L of each specimen (`joint-patches`), nothing fitted. Mas Ivars et al. 2011 (IJRMMS 48:219-244) hold single smooth joints
-against the same theory, as cited elsewhere; their numbers were looked for and not found.
+A column of 10 x 43 mm, 1,120 discs, has a single plane through its centre that meets no platen. It has the crossing rule, and
+smooth joints with k_n, k_s and mu of the paper's Table 2, c = 5 MPa and tan(phi) = mu. Its sides lie in a jacket, so that the halves may slide. Jaeger's
+c_w is c sum(A)/L of each specimen (`joint-patches`), nothing fitted. Mas Ivars et al. 2011 (IJRMMS 48:219-244) compare single smooth joints
+with the same theory, as cited elsewhere. Their numbers were looked for and not found.
 
-Jaeger takes the plane to fail everywhere at once. Bonded joints do not: each carries what its grains bring, the first to break sheds its cohesion
-on the others. So the rock here is 26 times as stiff as that of Table 1, and all joints carry nearly the same stress; below is what happens in
-softer rock. Double precision: in single precision the rounding of forces makes local damping drag the sliding halves, which showed as 3, 5 and
-0 % more strength at 45, 60 and 75 degrees in a rock of 3,800 GPa (one packing at 0.02 m/s; not among the studies).
+Jaeger takes the plane to fail everywhere at once. Bonded joints do not: each carries what its grains bring, and the first to break sheds its cohesion
+on the others. So the rock here is 26 times as stiff as in Table 1, and all joints carry nearly the same stress. Below is softer rock.
+Double precision: in single precision the rounding of forces makes local damping drag the sliding halves, by up to 5 % of the strength.
 
 """
 JOINT_FRICTION = """
-Goal: 5 %, missed at 75 degrees and 10 MPa by the bonded joint (-6.0 %, -3.6 % with the right sigma_3) and at 45 and 75 degrees by the frictional one (-5.6 %; with the right sigma_3 at 30 degrees and 5 MPa, +5.3 %). A miss that grows with sigma_3 has a cause that was measured: the jacket presses on grains, and how much higher a half stands on one side than on
-the other is not W tan(theta) but what the grains make of it, {0} of it in the mean, {1} to {2} in one column of 15 grains. It was counted on the discs, before
-any test, with the jacket's own rays. A joint without bonds does not break, it sticks and slips: its stress swings about a level. The level is the strength; the largest stress of a swing is
-what the program calls the peak. With the right sigma_3 the sliding level lies 0 to 5 % above Jaeger's; what holds it up was not traced (local damping
-of halves that slide by fits and starts is suspected).
+Goal: 5 %. The bonded joint misses it at 75 degrees and 10 MPa, by -6.0 %. The frictional one misses it at 45 and 75 degrees, by -5.6 %. A miss that grows with sigma_3 has a measured cause: the jacket presses on grains.
+A half stands higher on one side than on the other, by less than W tan(theta): {0} of it in the mean. One column of 15 grains has {1} to {2}. This was counted on the discs, before any test.
+
+A joint without bonds does not break, it sticks and slips: its stress swings about a level. The level is the strength; the program calls the largest stress of a swing the peak.
+With the right sigma_3 the sliding level lies 0 to 5 % above Jaeger's. The reason was not traced; local damping of halves that slide by fits and starts is suspected.
 """
 JOINT_15 = """
-The intact stiff rock fails at {0} MPa, so that Jaeger lies below 0.8 of it at every angle here. sum(A)/L is {1} (mean over angles and
-packings). At 15 degrees tan(theta) < mu: the joint must hold by friction and only the rock can fail. Without bonds, in the rock of Table 1:
+The intact stiff rock fails at {0} MPa, so Jaeger lies well below it at every angle here. The mean sum(A)/L over angles and
+packings is {1}. At 15 degrees tan(theta) < mu: the joint must hold by friction, and only the rock can fail. Without bonds, in the rock of Table 1:
 
 """
 JOINT_SOFT = """
-The work of friction at half of the strength is that of the grains' contacts beside their bonds, no more than in the intact rock: the joint does not
-slip. The bonded joint at 10 MPa by the stiffness of the rock, k_s d/(E_c + E_b) from 0.008 down
-to 0.0001 (d: mean diameter). In rock of Table 1 the joints break one after the other and the strength is off Jaeger's by {}; it comes to Jaeger's as
-the grains stop to yield:
+The work of friction at half of the strength belongs to the grains' contacts beside their bonds, no more than in the intact rock: the joint does not
+slip. In rock of Table 1 the joints break one after the other, and the strength is off Jaeger's by {}. It comes to Jaeger's as
+the grains stop to yield. The bonded joint at 10 MPa by the stiffness of the rock, k_s d/(E_c + E_b), d being the mean diameter:
 
 """
 GRANITE = """
 ## Lac du Bonnet granite (Potyondy & Cundall 2004, IJRMMS 41:1329-1364)
 
-Looked up: the paper's abstract (it presents the micro-parameters and two- and three-dimensional biaxial, triaxial and Brazilian tests) and what others
-quote of it; its tables could not be opened. E 70.9 GPa and UCS 199.1 MPa are **second hand**: a benchmark of the code DIRT
+Looked up: the paper's abstract (micro-parameters, and two- and three-dimensional biaxial, triaxial and Brazilian tests) and quotations by
+others. Its tables could not be opened. E 70.9 GPa and UCS 199.1 MPa are **second hand**: a benchmark of the code DIRT
 (github.com/SueHeir/dirt, `examples/bench_potyondy_cundall_bpm/README.md`) quotes them as PFC2D's of the paper's Table 2. All else is **from memory**:
-31.7 x 63.4 mm, mean diameter 0.72 mm, radius ratio 1.66, porosity 0.16, E_c = E_b = 62 GPa, k_n/k_s = 2.5, mu = 0.5, sigma_c = tau_c = 157 +- 36 MPa,
-0.1 MPa isotropic; BTS 44.7 MPa, friction angle 29.5 degrees. Ours: some 4,040 discs, single precision, 0.05 m/s per platen, affine pre-strain to 5e-4.
+
+| | |
+|---|---|
+| specimen | 31.7 x 63.4 mm, mean diameter 0.72 mm, radius ratio 1.66, porosity 0.16, 0.1 MPa isotropic |
+| stiffness | E_c = E_b = 62 GPa, k_n/k_s = 2.5, mu = 0.5 |
+| strengths | sigma_c = tau_c = 157 +- 36 MPa |
+| results | BTS 44.7 MPa, friction angle 29.5 degrees |
+
+Ours: some 4,040 discs, single precision, 0.05 m/s per platen, affine pre-strain to 5e-4.
 
 All readings of the same tests. Plane strain: the body whose plane-strain test shows E_2D and nu_2D.
 
 """
 GRANITE_MATCH = """
-E lies within the interval of {} of {} readings in plane strain and of {} of {} in plane stress, UCS within that of bonds at gaps up to {}. Both have: {}.
+E lies within the interval of {} of {} readings in plane strain. In plane stress it lies in {} of {}. UCS lies within the interval of bonds at gaps up to {}. Both have: {}.
 """
 GRANITE_END = """So the numbers tell plane strain from plane stress, near contacts bonded from touching ones alone, and with these secant from tangent, but not platens from
-gauges. The reading at the top of this page was chosen with the numbers of earlier packings known; ten leave it where it was. That shows that one reading
-fits both numbers, and not that the paper took it. The friction angle agrees with what is remembered of theirs. BTS does not: between flat platens a few grains
-at the rim break first, and the test ends with the first fall by a fifth; between jaws it is nearer. Why PFC2D had more is not known here (its jaws, bonds and
-stop were not found).
+gauges. The reading at the top of this page was chosen with the numbers of earlier packings known; ten leave it where it was. One reading
+fits both numbers; this does not show that the paper took it. The friction angle agrees with the remembered one. BTS does not: between flat platens a few grains
+at the rim break first, and the test ends with the first fall by a fifth. Between jaws it is nearer. Why PFC2D had more is not known here: its jaws, bonds and
+stop were not found.
 """
 BODIES = """
 ## Whole elastic bodies
 
-The layered body is a hexagonal lattice with a smooth joint after every second row, or a random packing with joints of the paper's Table 2 across planes
-two mean diameters apart (E along them some 3.7 times that across). Its compliance is measured on the body itself by uniform gradients,
-so that the field is compared and not a modulus. The disc of lattice (75 grains across, 43 planes, arcs of 15 degrees) is pressed in five directions; stress
-is the mean over the middle D/8. Theory: `src/theory/anisotropic_disc.hpp`, a series derived anew, held against Hondros where it is isotropic, and
-within 6 % of the approximation in the abstract of Claesson & Bohloli (2002) once its lost minus sign is put back. The disc of whole grains
-has the area of a disc 1.2 % smaller than the circle that it was cut by: 1.2 % of the stress. The random packings (75 grains across, the rim where the centres
-end) turn the layers and keep the load; in a single one of them the tension has a standard deviation of 1 to 3 %, the compression of 1 to 2 %. With planes 2 mm
-(six packings) and 4 mm apart (eight; three planes in the circle that is read) the means lay at -1.4 to +3.1 % and -0.9 to +1.9 %; these are not among the checks, as a homogeneous disc
-has no spacing. The plate (90 x 100 grains) is pulled, its crack cut through the bonds;
-K_I is read from the movements around its end, G from the energies of cracks that are eight grain radii apart. Waves stand in free columns with a joint after every
-fourth row. A beam in bending is V5. Numbers: the table at the top, or docs/verification.md.
+The layered body is a hexagonal lattice with a smooth joint after every second row, or a random packing with joints of Table 2 across planes
+two mean diameters apart. Its compliance is measured on the body itself by uniform gradients,
+so that the field is compared and not a modulus. The disc of lattice is 75 grains across and is pressed in five directions; stress
+is the mean over the middle D/8. Theory: `src/theory/anisotropic_disc.hpp`, a series derived anew. It agrees with Hondros where it is isotropic, and
+within 6 % with the approximation in the abstract of Claesson & Bohloli (2002), once its lost minus sign is put back.
+
+The disc of whole grains has an area 1.2 % smaller than the circle that it was cut by, which is 1.2 % of the stress. The random packings turn the layers and keep the load.
+In a single one the tension has a standard deviation of 1 to 3 %. With planes 2 mm and 4 mm apart the means lay within 3 %. These are not among the checks,
+as a homogeneous disc has no spacing.
+
+The plate (90 x 100 grains) is pulled, its crack cut through the bonds. K_I is read from the movements around its end, G from the energies of cracks that are eight grain radii apart.
+Waves stand in free columns with a joint after every fourth row. A beam in bending is V5. Numbers: the table at the top, or docs/verification.md.
 """
 YADE = """
 ## Yade with the same laws
 
-400 discs of the paper's rock (8.75 x 17.5 mm), bonds with a moment contribution of 0, 0.1 m/s per platen; intact, and with smooth joints at 60
-degrees every 4 mm (zone rule, tan(phi) = mu). Yade (Debian, 2023.02a) gets the same discs, masses, bonds with their strengths, joints, platens,
-ramp, time step and local damping of 0.7, contact by contact. It has no law like ours but the parts of it: a disc is a clump of two spheres of
-one centre, one with the springs and Coulomb's friction of JCFpm, the other with the bond of CohFrict and its bending stiffness; a joint is JCFpm's. That joint does not
-feel that its grains turn, and pairs of two layers that meet during the test are ordinary contacts to it; Python adds both
-(`bench/peers/yade_equal.py`). Both curves are read by one code every 100 steps: E is the secant at half of the strength. Yade over
-Phyllite - 1, mean over bond seeds, each against itself; recorded in `bench/peers/equal.csv`, written by `make yade`:
+400 discs of the paper's rock, bonds without moment contribution, fast platens. They are intact, or have smooth joints at 60
+degrees (zone rule, tan(phi) = mu). Yade (Debian, 2023.02a) gets the same discs, masses, bonds with their strengths, joints, platens,
+ramp, time step and local damping, contact by contact.
+
+It has no law like ours, only its parts. A disc is a clump of two spheres of
+one centre. One has the springs and Coulomb's friction of JCFpm, the other the bond of CohFrict and its bending stiffness. A joint is JCFpm's. That joint does not
+feel that its grains turn, and pairs of two layers that meet during the test are ordinary contacts to it. Python adds both
+(`bench/peers/yade_equal.py`). One code reads both curves every 100 steps: E is the secant at half of the strength. Yade over
+Phyllite - 1, mean over bond seeds, each against itself (`bench/peers/equal.csv`, written by `make yade`):
 
 """
 YADE_END = """
-The goals are met in the mean: E 1 %, first crack 3 % (it is read to 100 steps, which are 2 % of it with bedding; there its 95 % interval reaches to -3.9 %), strength 5 %; a single specimen is off by up to 2.6 %, after the first cracks. Rows
-of one bond seed take one thing away and show what it weighs; they are no part of the comparison. What is still different by design: a bond that breaks in shear is taken away up to
-four steps late, and joints of pairs that meet later are laid every 16 steps. An earlier script here let Yade's joints have the strengths of the bonds whose place they took, beside
-JCFpm's own laws: the strengths that it printed said nothing of either program.
+The goals are met in the mean: E 1 %, first crack 3 %, strength 5 %. With bedding the interval of the first crack reaches to -3.9 %. A single specimen is off by up to 2.6 %, after the first cracks.
+Rows of one bond seed take one thing away and show its weight; they are no part of the comparison. Two things still differ by design.
+A bond that breaks in shear is taken away up to four steps late, and joints of pairs that meet later are laid every 16 steps.
 """
 CONVERGENCE = """
 ## Convergence
 
-The paper's rock without bedding: the grains stay as they are, the specimen grows from 7.6 x 15.2 to 152 x 304 mm. Compression at one strain rate up
-to 9,576 discs (0.01 to 0.057 m/s per platen), above that at 0.057 m/s: at the strain rate of the small ones large specimens ring, as the third table shows. The Brazilian test
-at 0.02 m/s. y = y_0 + c h^p by least squares over the means, each with the weight of its standard error, and p
-between 0.25 and 4; h = grains^-1/2, speed or step. The standard error is that of the power law of the scatter, as one packing has none of its own. In
+The paper's rock without bedding: the grains stay as they are, the specimen grows from 7.6 x 15.2 to 152 x 304 mm. Compression runs at one strain rate up
+to 9,576 discs, above that at 0.057 m/s per platen. At the strain rate of the small ones large specimens ring, as the third table shows. The Brazilian test
+runs at 0.02 m/s.
+
+The fit is y = y_0 + c h^p by least squares over the means, each weighted by its standard error.
+Here p lies between 0.25 and 4, and h is grains^-1/2, speed or step.
+Standard errors come from the power law of the scatter, as one packing has none of its own. In
 brackets: 95 % of 400 draws of the means. "None seen": the trend lowers the sum of squares by no more than chance would (chi-square, 5 %); the limit is then
-the mean of all. Where p ends at a bound no limit is found. Speed and step: each packing against itself at the finest. The default of resolution is the default recipe's, 7,481 discs.
+the mean of all. Where p ends at a bound no limit is found. Speed and step compare each packing with itself at the finest. The default of resolution is the default recipe's, 7,481 discs.
 
 """
 CONVERGENCE_END = """
-E and UCS show no trend from 299 to 119,700 discs; what small specimens lack is certainty. sigma_ci, read at 1 % of the cracks of the peak, comes down to a
+E and UCS show no trend from 299 to 119,700 discs; small specimens lack certainty only. sigma_ci, read at 1 % of the cracks of the peak, comes down to a
 limit from which the default recipe is less than 2 % away. BTS falls with the size of the disc, from 36 to 23 MPa, and shows no end: a BTS of this
-rock belongs to the size of its disc. Platens that keep the strain rate of small specimens raise E, UCS and sigma_ci of large ones; that
-0.057 m/s is slow enough for the two largest was not tested, and their sigma_ci lies above that of the two before. The step moves one strength of five: packing 2
-takes another path at 0.92 of the stable step, with 6 % more UCS; the others move by up to 1.5 % over all four steps. Platens at 0.16 m/s add 4 +- 7 % to UCS.
+rock belongs to the size of its disc. Platens that keep the strain rate of small specimens raise E, UCS and sigma_ci of large ones. Whether
+0.057 m/s is slow enough for the two largest was not tested; their sigma_ci lies above the two before. The step moves one strength of five: packing 2
+takes another path at the usual step, with 6 % more UCS. The others move by up to 1.5 % over all four steps. Platens at 0.16 m/s add 4 +- 7 % to UCS.
 """
 OPEN = """
 ## What is open
 
-- **PFC2D itself**: not run. `phyllite export pfc2d` writes the files (docs/formats.md), whoever has the program is asked to run them.
-- **Bu 2021** (Sci. Rep., 10.1038/s41598-021-03910-8; from memory 50 x 100 mm, 16,884 discs): looked for by DOI, subject and number of discs, and not found. Without
-  its parameters there is no order check.
+- **PFC2D itself**: not run. `phyllite export pfc2d` writes the files (docs/formats.md). Whoever has the program is asked to run them.
+- **Bu 2021** (Sci. Rep., `10.1038/s41598-021-03910-8`): looked for by DOI, subject and number of discs, and not found. Without
+  its parameters there is no order check. From memory it has 16,884 discs in 50 x 100 mm.
 - nu and sigma_ci of the granite, and its BTS and friction angle beyond memory: the tables of the paper could not be opened.
 - Mas Ivars et al. 2011: their single joints beside Jaeger's plane were not found.
-- The default `elastic_reading` (plane stress) does not follow from one match: E of the granite fits plane strain, its nu is not known here, and a convention
+- The default `elastic_reading` (plane stress) does not follow from one match. E of the granite fits plane strain, its nu is not known here, and a convention
   is no finding.
 """
 

@@ -231,11 +231,11 @@ HEAD = """# The paper, again
 Sections 3 and 4 of "Parametric study of smooth joint parameters on the mechanical behavior of transversely isotropic rocks
 and research on calibration method", run with Phyllite. `make paper` runs the studies of `examples/paper/` and writes this
 page from their stores; every number below is read from them. The text of the paper that we have ends with the caption of
-Fig. 6; its Table 3, Table 4 and the curves of its figures are not in it, so we compare with what the text says.
+Fig. 6. Its Table 3, Table 4 and the curves of its figures are not in it, so we compare with its words.
 
 Specimen: 38 x 76 mm, 7,481 discs, Tables 1 and 2; `examples/paper/press.toml` states what the paper leaves open. Press:
-{0} m/s per platen, single precision, affine pre-strain to strain {1}. Factors 0.25, 0.5, 1, 1.5, 2 of each of six parameters, one
-at a time, seven angles, three packings: {2} tests with the intact rock, {3:.2f} million cycles, {4:.0f} s of CPU.
+{0} m/s per platen, single precision, affine pre-strain to strain {1}. Five factors, 0.25 to 2, of each of six parameters, one
+at a time, seven angles, three packings. With the intact rock {2} tests, {3:.2f} million cycles, {4:.0f} s of CPU.
 {5}
 +- is the 95 % interval of the mean over packings (one packing where there is none); other numbers are means over them.
 
@@ -249,20 +249,21 @@ Tables 1 and 2; Eq. 1 fitted to the seven moduli, E fixed at the intact rock's o
 
 """
 EQ1_NOTE = """
-R2 of Eq. 1: {0} with E of the intact rock, {1} with E(90). A third of the zone's joints do not cross their plane: at 90 degrees
-they carry the load by k_s alone and soften the specimen, which Eq. 1, made for planes without thickness, does not know. The
+R2 of Eq. 1 is {0} with E of the intact rock. With E(90) it is {1}.
+A third of the zone's joints do not cross their plane. At 90 degrees
+they carry the load by k_s alone and soften the specimen. Eq. 1 is made for planes without thickness, and does not know this. The
 numbers of the paper's Table 3 are not in our text.
 
 """
 EQ2_TEXT = """
 Under the press (E tangent), and by the direct elastic solution (five packings; mean of K over them, line through the means;
-all readings in [eq2.md](theory/eq2.md)). The paper does not say which E its fit refers to. The paper's slopes are
-those of contacts that cross the plane; its text describes a zone. No reading meets both its slopes and its intercepts.
+all readings in [eq2.md](theory/eq2.md)). The paper does not say which E its fit refers to. The paper's slopes belong
+to contacts that cross the plane; its text describes a zone. No reading meets both its slopes and its intercepts.
 
 """
 FIG5_TEXT = """
 Goodman's law turns from incremental (E grows from 0 to 90 degrees) to shoulder (least E in between) where K_n passes 2 K_s.
-K_n and K_s are those of the fit with E(90). A tested curve counts as a shoulder if its least E is 1 % below E(0).
+K_n and K_s come from the fit with E(90). A tested curve counts as a shoulder if its least E is 1 % below E(0).
 
 """
 FIG6_TEXT = """
@@ -356,8 +357,8 @@ def others(rows, first):
     return max(float(row[first + k]) for row in rows for k, own in ((0, "k_n"), (1, "k_s")) if row[0] != own)
 
 
-BY_RULE = """K_n follows k_n and K_s follows k_s by hundreds of per cent. What else moves either: by crossing at most {} % at half of UCS (C, on K_s) and {} % at small
-strain; by zone {} % (C, on K_s) and {} %: there bonded bridges break before half of UCS. The paper finds k_n and k_s alone, which is nearest to the crossing rule, or to small strain.
+BY_RULE = """K_n follows k_n and K_s follows k_s by hundreds of per cent. Other parameters move either, by crossing, by at most {} % at half of UCS (C, on K_s) and {} % at small
+strain. By zone they move it by {} % (C, on K_s) and {} %: there bonded bridges break before half of UCS. The paper finds k_n and k_s alone, which is nearest to the crossing rule, or to small strain.
 """
 
 
@@ -386,10 +387,9 @@ def fig5_verdict(study, crossing):
         curve = study.curve(key)
         return 100 * (study.at_angle("E_tangent", t, curve[-1][1]) / study.at_angle("E_tangent", t, curve[0][1]) - 1)
 
-    return (f"\n{n} of {len(rows)} curves are of the type that K_n/K_s foresees. Zone rule, from 0.25 to 2 times k_n: E changes by "
-            f"{shift('bedding.k_n', 0):+.0f} % at 0, {shift('bedding.k_n', 45):+.0f} % at 45 and {shift('bedding.k_n', 90):+.0f} % "
-            f"at 90 degrees; of k_s by {shift('bedding.k_s', 0):+.0f}, {shift('bedding.k_s', 45):+.0f} and "
-            f"{shift('bedding.k_s', 90):+.0f} %.\n")
+    changes = [[f"`{key}`"] + [f"{shift(key, t):+.0f} %" for t in (0, 45, 90)] for key in ("bedding.k_n", "bedding.k_s")]
+    return (f"\n{n} of {len(rows)} curves are of the type that K_n/K_s foresees. E by the zone rule, from 0.25 to 2 times:\n\n"
+            + table(["key", "0 deg", "45 deg", "90 deg"], changes))
 
 
 def fig6_table(study):
