@@ -4,12 +4,14 @@
 usage: fuzz.py BUILD MINUTES [READER...]     (no READER: all)
 
 What was found useful stays in BUILD/corpus/READER and is where the next call begins; inputs that break a reader lie in
-BUILD/found. Minutes are those of the processor, so that a busy machine gives no shorter search."""
+BUILD/found. Minutes count the processor's time, so that a busy machine gives no shorter search."""
 import os
 import re
 import resource
 import subprocess
 import sys
+
+import measured
 
 SLICE = 60  # s of the clock between two looks at the processor's
 LIMITS = ["-timeout=20", "-len_control=0", "-rss_limit_mb=3072", "-malloc_limit_mb=1024", "-print_final_stats=1"]
@@ -45,13 +47,17 @@ def fuzz(build, reader, minutes):
 def main():
     build, minutes = sys.argv[1], float(sys.argv[2])
     readers = sys.argv[3:] or subprocess.run([f"{build}/fuzz"], capture_output=True, text=True).stdout.split()
-    broken = []
+    broken, rows = [], []
     for reader in readers:
         used, executions, kept, ok = fuzz(build, reader, minutes)
         print(f"{reader:<12} {used:6.1f} min of CPU {executions:>10} inputs {kept:>6} kept  "
               f"{'nothing' if ok else 'FOUND: see ' + build + '/found'}", flush=True)
+        rows.append(measured.row(f"fuzz, {reader}: inputs", executions, n=f"{used:.0f} min of CPU"))
         if not ok:
             broken.append(reader)
+    measured.add("fuzz", rows, "make fuzz")
+    if len(rows) > 12:  # all of them, not one that somebody looks at
+        measured.add("robustness", [measured.row("fuzzing: open faults", len(broken), n=f"{len(rows)} readers")], "make fuzz")
     sys.exit(1 if broken else 0)
 
 
