@@ -123,6 +123,8 @@ def problems_of_text(page):
                 yield line, f"{numbers(s)} numbers: {s[:90]}"
             if found := EVASIONS.search(s):
                 yield line, f'"{found[0]}": {s[max(0, found.start() - 40):found.end() + 40]}'
+            if re.match(r"\W*What (?:is|was|it|they|the|a|no|does|has) [^:?]*\.$", s) and words(s) > 5:  # "What it is." heads a paragraph
+                yield line, f"a clause in place of a noun: {s[:90]}"
 
 
 def problems_of_tables(page):
