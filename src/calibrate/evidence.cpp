@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "calibrate/strength_tests.hpp"
-
 namespace phy::calibrate {
 
 namespace {
@@ -26,15 +24,15 @@ Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), tar
   if (!rock.bedded) remove_layers(rock.model);
   double expected = 0.0;  // of strengths under confinement alone
   for (const Target& t : targets) {
-    const bool toughness = t.property == Property::fracture_toughness;
-    if (!is_strength(t.property)) moduli.push_back(t);
-    if (toughness && !rock.grains_stated)
+    const MeasuredProperty& p = measured(t.property);
+    const bool tested = p.test != nullptr;
+    if (!p.is_strength()) moduli.push_back(t);
+    if (p.grain_exponent > 0.0 && !rock.grains_stated)
       compared.push_back(t);
-    else if (can_test(t.property))
+    else if (tested)
       strengths.push_back(t);
-    if (toughness) continue;  // no stress
-    if (can_test(t.property) && t.confining == 0.0) scales.strength = std::max(scales.strength, t.mean);
-    if (can_test(t.property) && t.confining > 0.0) expected = std::max(expected, unconfined(t));
+    if (tested && p.is_stress() && t.confining == 0.0) scales.strength = std::max(scales.strength, t.mean);
+    if (tested && p.is_stress() && t.confining > 0.0) expected = std::max(expected, unconfined(t));
     if (t.property == Property::E) scales.modulus = std::max(scales.modulus, t.mean);
   }
   if (!has(Property::ucs)) scales.strength = std::max(scales.strength, expected);

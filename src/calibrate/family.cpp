@@ -169,8 +169,6 @@ Recipe bridged_rock() {
 
 }  // namespace
 
-bool has_bridges(const Recipe& r) { return !r.bedding.empty() && bedding(r).persistence < 1.0; }
-
 double Lever::place_of(double value) const {
   const double share =
       logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);

@@ -43,8 +43,6 @@ struct ModelFamily {
   bool has(const Recipe& recipe) const;  ///< Is a recipe of this family?
 };
 
-/// Are the planes jointed in part, with bridges of bonds between?
-bool has_bridges(const Recipe& recipe);
 /// Share of them that is, where nothing tells it.
 inline constexpr double usual_persistence = 0.65;
 

@@ -11,37 +11,9 @@ namespace {
 constexpr int most_specimens = 100;
 constexpr double many_degrees = 1e6;  // of freedom: normal
 
-double unit_of(const Target& t) { return t.property == Property::nu ? 1.0 : t.mean; }
+double unit_of(const Target& t) { return measured(t.property).absolute ? 1.0 : t.mean; }
 
 }  // namespace
-
-double tolerance(Property property) {
-  switch (property) {
-    case Property::E:
-    case Property::nu: return 0.03;
-    case Property::ucs:
-    case Property::confined: return 0.06;
-    case Property::direct_tension:
-    case Property::brazilian:
-    case Property::crack_initiation:
-    case Property::fracture_toughness: break;
-  }
-  return 0.10;
-}
-
-double coarsest(Property property) {
-  switch (property) {
-    case Property::E:
-    case Property::ucs:
-    case Property::confined: return 0.15;
-    case Property::nu: return 0.1;
-    case Property::direct_tension:
-    case Property::brazilian:
-    case Property::crack_initiation:
-    case Property::fracture_toughness: break;
-  }
-  return 0.25;
-}
 
 double miss_of(const Comparison& row) { return (row.mean - row.target.mean) / unit_of(row.target); }
 

@@ -13,13 +13,10 @@
 
 namespace phy::calibrate {
 
-/// Misses that pass whatever the scatter: 3 % of E, 6 % of UCS and of strengths under confinement, 10 % of
-/// strengths in tension, of sigma_ci and of K_Ic, 0.03 of nu.
-double tolerance(Property property);
-
-/// The widest margin by which a row can be judged: 15 % of E and of strengths in compression, 25 % of
-/// strengths in tension, of sigma_ci and of K_Ic, 0.1 of nu.
-double coarsest(Property property);
+/// Misses that pass whatever the scatter.
+inline double tolerance(Property property) { return measured(property).tolerance; }
+/// The widest margin by which a row can be judged.
+inline double coarsest(Property property) { return measured(property).coarsest; }
 
 /// From where a table is out of reach: the miss of an E, the root mean square of those of the strengths.
 constexpr double modulus_limit = 0.06, strength_limit = 0.10;

@@ -10,19 +10,15 @@
 #include "base/nan.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/toughness.hpp"
 #include "lab/brazilian/reading.hpp"
-#include "lab/semi_circular_bend/reading.hpp"
 #include "records/test_description.hpp"
 #include "study/expected.hpp"
 
 namespace phy::calibrate {
 namespace {
 
-constexpr double coarse_factor = 2.5;     // magnification of the grains
-constexpr double fewest_grains = 1000.0;  // of a coarse packing
-constexpr double wave_transits = 100.0;
-constexpr double bend_transits = 200.0;     // bending waves are slower: at half of them K_Ic is 3 % higher
+constexpr double coarse_factor = 2.5;       // magnification of the grains
+constexpr double fewest_grains = 1000.0;    // of a coarse packing
 constexpr double approach_speed = 3.0;      // over the speed of the test behind it
 constexpr double least_foreseen = 0.1;      // of the strength in the table
 constexpr double step_safety = 0.99;        // of a limit that is proven: nothing is kept in reserve
@@ -38,16 +34,23 @@ std::vector<double> moduli_at(const Recipe& recipe, const std::vector<Target>& t
   return moduli;
 }
 
-/// By how much the stress of a test grows until its peak [Pa]: under confinement it begins with that.
-double stress_rise(const Recipe& recipe, const Target& t) {
-  return t.property == Property::fracture_toughness ? nominal_stress(recipe, t) : t.mean - t.confining;
+const TestDescription& test_of(Property property) {
+  PHY_CHECK(can_test(property), "only properties that a test has are pressed");
+  return *TestKind(measured(property).test);
 }
 
-/// Strain of a test over its stress and 1/E: of a disc and a half disc the approach over the diameter.
-double compliance(Property property) {
-  return property == Property::brazilian            ? lab::disc_approach
-         : property == Property::fracture_toughness ? lab::bend_compliance
-                                                    : 1.0;
+/// The recipe of a target's test: its kind, the size of its disc, the stress that it keeps.
+Recipe tested_as(Recipe recipe, const Target& t) {
+  const TestDescription& test = test_of(t.property);
+  recipe.test.kind = test;
+  if (t.diameter > 0.0) recipe.test.disc_diameter = t.diameter;
+  if (test.kept_stress.value != nullptr) recipe.test.*test.kept_stress.value = t.confining;
+  return recipe;
+}
+
+/// Strain at the peak that the table has, times the modulus of the specimen [Pa].
+double strain_times_modulus(const Recipe& recipe, const Target& t) {
+  return test_of(t.property).peak_of_value.strain_times_modulus(tested_as(recipe, t), t.mean, t.confining);
 }
 
 /// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
@@ -56,38 +59,22 @@ std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>
                                  const std::vector<double>& moduli) {
   std::vector<double> strains;
   for (std::size_t i = 0; i < targets.size(); ++i)
-    strains.push_back(compliance(targets[i].property) * stress_rise(recipe, targets[i]) / moduli[i]);
+    strains.push_back(strain_times_modulus(recipe, targets[i]) / moduli[i]);
   return strains;
 }
 
-/// Speed of platens, grips or rollers [m/s] at which a wave crosses the specimen a hundred times until it
-/// peaks at `strain`, a half disc two hundred times.
+/// Speed of platens, grips or rollers [m/s] at which a wave crosses the specimen as often as its test asks
+/// for, until it peaks at `strain`.
 double slow_speed(const Recipe& recipe, const Target& target, double strain) {
-  const double modulus = compliance(target.property) * stress_rise(recipe, target) / strain;
+  const double modulus = strain_times_modulus(recipe, target) / strain;
   const double wave = std::sqrt(modulus / recipe.matrix.density);
-  const bool bends = target.property == Property::fracture_toughness;
-  return 0.5 * strain * wave / (bends ? bend_transits : wave_transits);
+  return 0.5 * strain * wave / test_of(target.property).peak_of_value.wave_transits;
 }
 
-/// A test and its number that is a property of the table; null: none.
-struct TestOfProperty {
-  const TestDescription* test = nullptr;
-  std::string number;
-};
-TestOfProperty test_of(Property property) {
-  for (const TestDescription* test : laboratory_tests()) {
-    if (test->curve.property == property) return {test, test->curve.quantity().number};
-    for (const ReportedNumber& r : test->reported)
-      if (r.property == property) return {test, r.number};
-  }
-  return {};
-}
-
-/// The target of UCS at an inclination.
-std::size_t place_of_ucs(const std::vector<Target>& targets, double theta) {
-  const auto it = std::find_if(targets.begin(), targets.end(), [&](const Target& t) {
-    return t.property == Property::ucs && t.theta == theta;
-  });
+/// The target in whose test another is read.
+std::size_t place_of(const std::vector<Target>& targets, Property property, double theta) {
+  const auto it = std::find_if(targets.begin(), targets.end(),
+                               [&](const Target& t) { return t.property == property && t.theta == theta; });
   PHY_CHECK(it != targets.end(), "a table with UCS wherever something is read before it");
   return static_cast<std::size_t>(it - targets.begin());
 }
@@ -151,8 +138,9 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
   for (std::size_t i = 0; i < targets_.size(); ++i)
     speeds_.push_back(slow_speed(recipe, targets_[i], strains_[i]));
   for (std::size_t i = 0; i < targets_.size(); ++i) {  // what is read on the way has no test of its own
-    if (!is_read_before_ucs(targets_[i].property)) continue;
-    const std::size_t test = place_of_ucs(targets_, targets_[i].theta);
+    const auto read_before = measured(targets_[i].property).read_before;
+    if (!read_before) continue;
+    const std::size_t test = place_of(targets_, *read_before, targets_[i].theta);
     strains_[i] = strains_[test], speeds_[i] = speeds_[test];
     reads_before_[i] = reads_before_[test] = true;
   }
@@ -160,10 +148,7 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 
 Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed, const Loading& loading,
                          double foreseen) const {
-  Recipe one = single_at(recipe, targets_[target].theta, seed);
-  const TestDescription* kind = test_of(targets_[target].property).test;
-  PHY_CHECK(kind != nullptr, "only properties that a test has are pressed");
-  one.test.kind = *kind;
+  Recipe one = tested_as(single_at(recipe, targets_[target].theta, seed), targets_[target]);
   one.test.platen_speed = speeds_[target] * loading.speed;
   // A disc that a fast approach throws about has no strength: jaws meet it in points.
   const double share =
@@ -174,19 +159,13 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
     if (const double until = share * weaker * strains_[target]; until > one.test.ramp_strain)
       one.test.approach_strain = until, one.test.approach_speed = approach_speed * one.test.platen_speed;
   }
-  if (one.test.kind->cut != nullptr) {
-    if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
-    one.test.history_interval = disc_interval;
-  }
-  if (targets_[target].confining > 0.0) {
-    one.test.confining_stress = targets_[target].confining;
-    one.test.max_strain = largest_strain(strains_[target]);
-  }
+  if (one.test.kind->cut != nullptr) one.test.history_interval = disc_interval;
+  if (targets_[target].confining > 0.0) one.test.max_strain = largest_strain(strains_[target]);
   return one;
 }
 
 double strength_of(const TestResult& result, Property property) {
-  return number_of(result, test_of(property).number);
+  return number_of(result, measured(property).number);
 }
 
 double modulus_of(const TestResult& result, Property property, ModulusReading reading) {
@@ -195,7 +174,7 @@ double modulus_of(const TestResult& result, Property property, ModulusReading re
     case ModulusReading::average: return number_of(result, "E_tangent");
     case ModulusReading::secant_50: return number_of(result, "E_secant");
     case ModulusReading::secant_at_peak:
-      return number_of(result, test_of(property).test->curve.strength) / number_of(result, "peak_strain");
+      return number_of(result, test_of(property).curve.strength) / number_of(result, "peak_strain");
     case ModulusReading::small_strain: return number_of(result, "E_small");
   }
   return std::nan("");
@@ -212,14 +191,10 @@ Recipe coarse(Recipe r) {
   }
   return r;
 }
-double coarse_growth(Property property) {
-  return property == Property::fracture_toughness ? std::sqrt(coarse_factor) : 1.0;
-}
+double coarse_growth(Property property) { return std::pow(coarse_factor, measured(property).grain_exponent); }
 bool has_coarse(const Recipe& r) {
   return r.packing.file.empty() && study::expected_grains(r) >= fewest_grains * coarse_factor * coarse_factor;
 }
-
-bool can_test(Property property) { return test_of(property).test != nullptr; }
 
 Recipe test_settings(const Recipe& recipe, const std::vector<Target>& all, std::int64_t seed,
                      Simulator& simulator) {
@@ -266,7 +241,7 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
                                            seeds.size());
     const Property property = targets[i].property;
-    rows.push_back(over_packings(targets[i], some, test_of(property).number,
+    rows.push_back(over_packings(targets[i], some, measured(property).number,
                                  [&](const TestResult& r) { return strength_of(r, property); }));
     if (moduli == nullptr || !is_compressive(property)) continue;
     const auto without_value = [&](Property p) {

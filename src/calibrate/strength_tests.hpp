@@ -15,7 +15,7 @@
 namespace phy::calibrate {
 
 /// True for the strengths that this program can test.
-bool can_test(Property property);
+inline bool can_test(Property property) { return measured(property).test != nullptr; }
 
 /// How tests are loaded. The way to the peak may begin with a fast approach (test.approach_strain).
 struct Loading {

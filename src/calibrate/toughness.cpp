@@ -35,10 +35,6 @@ double whole_grains(double radius, double grain_size) { return std::floor(radius
 
 }  // namespace
 
-double nominal_stress(const Recipe& recipe, const Target& toughness) {
-  return toughness.mean / lab::isotropic_K_I(half_disc(recipe, toughness), 1.0);
-}
-
 PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting) {
   const double root = 0.5 * std::log(pi * alpha * 0.5 * grain_size(recipe));
   if (!splitting) {

@@ -16,9 +16,6 @@
 
 namespace phy::calibrate {
 
-/// Nominal stress P/(2 R B) [Pa] of the half disc of a target under its K_Ic, with the published factor.
-double nominal_stress(const Recipe& recipe, const Target& toughness);
-
 /// What is known of log(K_Ic/sigma_c) [of sqrt(m)] beforehand: the Brazilian strength that is expected at the
 /// same inclination, where a disc splits along its load as a half disc from its notch, times
 /// sqrt(pi alpha R); sigma_c in place of that strength where nothing was mapped. `splitting`: of

@@ -1,7 +1,6 @@
 #include "records/rock.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -16,21 +15,6 @@ namespace {
 constexpr int prior_degrees = 4;     // degrees of freedom that the prior scatter is worth
 constexpr int most_lent = 10;        // that the prior and the other cells lend to one
 constexpr double same_angle = 1e-6;  // [deg]
-
-/// Scatter of single specimens before a table is seen: relative for moduli and strengths, absolute for nu.
-double prior_scatter(Property p) {
-  switch (p) {
-    case Property::E: return 0.08;
-    case Property::nu: return 0.03;
-    case Property::ucs:
-    case Property::confined: return 0.10;
-    case Property::direct_tension:
-    case Property::brazilian:
-    case Property::crack_initiation:
-    case Property::fracture_toughness: break;
-  }
-  return 0.15;
-}
 
 /// Sum of squared deviations from means, and the degrees of freedom behind it.
 struct Pool {
@@ -122,18 +106,10 @@ class ConfiningStresses {
  private:
   std::map<double, double> classes_;  // mean by the largest
 
-  static bool counts(const RockReading& r) {
-    return r.confining > 0.0 && (r.property == Property::confined || !is_strength(r.property));
-  }
+  static bool counts(const RockReading& r) { return r.confining > 0.0 && measured(r.property).under_stress; }
 };
 
 }  // namespace
-
-const char* to_string(Property property) {
-  constexpr std::array<const char*, n_properties> names = {"E",   "nu",      "UCS",      "DTS",
-                                                           "BTS", "sigma_1", "sigma_ci", "K_Ic"};
-  return names[static_cast<std::size_t>(property)];
-}
 
 void remove_layers(Recipe& model) {
   const MatrixRecipe alike;
@@ -152,52 +128,6 @@ const char* to_string(ModulusReading reading) {
     case ModulusReading::small_strain: return "small strain";
   }
   return "";
-}
-
-bool is_directed(LayerModel model) {
-  return model == LayerModel::directions || model == LayerModel::planes_and_directions;
-}
-
-bool of_parallel_bonds(LayerModel model) {
-  return is_directed(model) || model == LayerModel::planes_with_bridges;
-}
-
-const char* to_string(LayerModel model) {
-  switch (model) {
-    case LayerModel::choose: return "choose";
-    case LayerModel::planes: return "planes";
-    case LayerModel::directions: return "directions";
-    case LayerModel::planes_and_directions: return "planes and directions";
-    case LayerModel::planes_with_bridges: return "planes with bridges";
-  }
-  return "";
-}
-
-bool is_strength(Property property) { return property != Property::E && property != Property::nu; }
-
-bool is_compressive(Property property) { return property == Property::ucs || property == Property::confined; }
-
-bool is_tensile(Property property) {
-  return property == Property::direct_tension || property == Property::brazilian;
-}
-
-bool is_read_before_ucs(Property property) { return property == Property::crack_initiation; }
-
-bool is_of_discs(Property property) {
-  return property == Property::brazilian || property == Property::fracture_toughness;
-}
-
-ShownUnit shown_unit(Property property) {
-  switch (property) {
-    case Property::E: return {1e-9, "GPa"};
-    case Property::nu: return {1.0, ""};
-    case Property::fracture_toughness: return {1e-6, "MPa sqrt(m)"};
-    default: return {1e-6, "MPa"};
-  }
-}
-
-const char* si_unit(Property property) {
-  return property == Property::nu ? "1" : property == Property::fracture_toughness ? "Pa sqrt(m)" : "Pa";
 }
 
 bool same_stress(double a, double b) { return std::fabs(a - b) <= 0.05 * std::min(a, b); }
@@ -229,12 +159,12 @@ std::vector<Target> targets_of(const Rock& rock) {
   std::map<std::tuple<Property, long, double, double>, std::vector<const RockReading*>> cells;
   const ConfiningStresses stresses(rock.readings);
   for (const RockReading& r : rock.readings)
-    if (r.confining == 0.0 || is_compressive(r.property) || !is_strength(r.property))
-      cells[{r.property, std::lround(r.theta / same_angle), is_of_discs(r.property) ? r.diameter : 0.0,
+    if (r.confining == 0.0 || measured(r.property).under_stress)
+      cells[{r.property, std::lround(r.theta / same_angle), measured(r.property).of_discs ? r.diameter : 0.0,
              stresses.of(r)}]
           .push_back(&r);
   std::vector<Target> targets;
-  std::map<Property, Pool> pooled;  // relative, but absolute for nu
+  std::map<Property, Pool> pooled;  // in the property's own way, relative or absolute
   std::vector<Pool> own;            // of each cell
   for (const auto& [key, rows] : cells) {
     Target t;
@@ -246,7 +176,7 @@ std::vector<Target> targets_of(const Rock& rock) {
     }
     t.mean /= t.n;
     Pool cell = pool_of(rows, t.mean);
-    cell.squares /= t.property == Property::nu ? 1.0 : t.mean * t.mean;
+    cell.squares /= measured(t.property).absolute ? 1.0 : t.mean * t.mean;
     own.push_back(cell);
     pooled[t.property].squares += cell.squares, pooled[t.property].degrees += cell.degrees;
     targets.push_back(t);
@@ -255,8 +185,8 @@ std::vector<Target> targets_of(const Rock& rock) {
     Target& t = targets[i];
     const Pool& all = pooled[t.property];
     const Pool others = {all.squares - own[i].squares, all.degrees - own[i].degrees};
-    const auto [variance, degrees] = variance_of(own[i], others, prior_scatter(t.property));
-    t.sd = std::sqrt(variance) * (t.property == Property::nu ? 1.0 : t.mean), t.degrees = degrees;
+    const auto [variance, degrees] = variance_of(own[i], others, measured(t.property).usual_scatter);
+    t.sd = std::sqrt(variance) * (measured(t.property).absolute ? 1.0 : t.mean), t.degrees = degrees;
     t.sd_assumed = all.degrees < prior_degrees;
   }
   if (rock.reading == ElasticReading::plane_strain) to_plane_stress(targets);

@@ -5,43 +5,11 @@
 #include <vector>
 
 #include "base/nan.hpp"
+#include "records/measured_property.hpp"
 #include "records/recipe.hpp"
+#include "records/rock_model.hpp"
 
 namespace phy {
-
-/// What a laboratory measures on a specimen at one inclination of the bedding.
-enum class Property {
-  E,                  ///< modulus of deformation [Pa]
-  nu,                 ///< apparent Poisson's ratio [-]
-  ucs,                ///< uniaxial compressive strength [Pa]
-  direct_tension,     ///< direct tensile strength [Pa]
-  brazilian,          ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
-  confined,           ///< strength under confining stress, sigma_1 at the peak [Pa]
-  crack_initiation,   ///< axial stress in the test of UCS at which crack volumetric strain begins [Pa]
-  fracture_toughness  ///< in mode I, of a semi-circular bend test [Pa sqrt(m)]
-};
-constexpr int n_properties = 8;
-
-/// "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci", "K_Ic": the names of the columns.
-const char* to_string(Property property);
-/// The unit in which people read a property, and the factor from SI: 1e-9 and "GPa"; of nu 1 and "".
-struct ShownUnit {
-  double factor;
-  const char* name;
-};
-ShownUnit shown_unit(Property property);
-/// "Pa", "1" of nu, "Pa sqrt(m)" of K_Ic: the unit of the numbers in files.
-const char* si_unit(Property property);
-/// Is it read where a specimen breaks? K_Ic, too.
-bool is_strength(Property property);
-/// Tensile strengths, direct and Brazilian.
-bool is_tensile(Property property);
-/// UCS and strengths under confinement.
-bool is_compressive(Property property);
-/// Is read on the way to another strength, in the test of UCS at the same inclination?
-bool is_read_before_ucs(Property property);
-/// Is it tested on discs or halves of discs, whose diameter the table may tell?
-bool is_of_discs(Property property);
 
 /// How moduli measured on a cylinder are read in two dimensions (docs/calibration.md, "Plane stress").
 enum class ElasticReading { plane_stress, plane_strain };
@@ -50,17 +18,6 @@ enum class ElasticReading { plane_stress, plane_strain };
 /// (docs/calibration.md, "Which E").
 enum class ModulusReading { tangent_50, average, secant_50, secant_at_peak, small_strain };
 const char* to_string(ModulusReading reading);
-
-/// What makes the model's layers: smooth joints on planes, directions of the bonds (of stiffness and
-/// strength), joints on planes between bonds whose strength has directions, joints on a share of the planes,
-/// the rest bonded (rock bridges), or whichever predicts values of the table best that it was not shown.
-enum class LayerModel { choose, planes, directions, planes_and_directions, planes_with_bridges };
-const char* to_string(LayerModel model);
-/// Do bonds have directions? Flat joints have none.
-bool is_directed(LayerModel model);
-/// Of parallel bonds alone: directions, which flat joints lack, and bridges, which were not mapped between
-/// them.
-bool of_parallel_bonds(LayerModel model);
 
 /// One cell of the table.
 struct RockReading {
@@ -126,11 +83,11 @@ bool same_test(const Target& a, const Target& b);
 
 /// One target per property, angle, diameter of disc and confining stress, ordered in this way; stresses that
 /// differ by less than 5 % are one, their mean. Replicates are
-/// averaged, weighted by n. Scatter of single specimens, relative but of nu absolute: a scaled inverse
-/// chi-square distribution that begins with 8 % of E, 0.03 of nu, 10 % of strengths in compression and 15 %
-/// of those in tension and of K_Ic, as if seen with four degrees of freedom, and learns from all deviations
-/// inside the cells of the property. Other cells and prior together lend a cell ten degrees of freedom at
-/// most: scatter may depend on the angle. A mean with its SD and n counts as the n specimens behind it.
+/// averaged, weighted by n. Scatter of single specimens: a scaled inverse chi-square distribution that begins
+/// with the usual scatter of the property (records/measured_property.cpp), as if seen with four degrees of
+/// freedom, and learns from all deviations inside the cells of the property. Other cells and prior together
+/// lend a cell ten degrees of freedom at most: scatter may depend on the angle. A mean with its SD and n
+/// counts as the n specimens behind it.
 /// Moduli are converted to plane stress if `reading` says so.
 std::vector<Target> targets_of(const Rock& rock);
 

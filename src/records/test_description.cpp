@@ -22,6 +22,10 @@ const HistoryColumn& TestDescription::column_of(double HistoryRow::*value) const
   return *it;
 }
 
+std::optional<Property> TestDescription::property() const {
+  return property_of(name, curve.quantity().number);
+}
+
 bool TestDescription::loads_by_strain() const { return std::string_view(loading_column().unit) == "1"; }
 
 }  // namespace phy

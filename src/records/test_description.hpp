@@ -39,7 +39,6 @@ struct TestCurve {
   double strain_factor = 100.0;                           ///< from the recorded value to `strain_unit`
   std::string stress = "axial stress";                    ///< drawn in MPa
   std::string strength = "ucs", strength_label = "UCS";   ///< number of the largest stress, and its name
-  std::optional<Property> property = std::nullopt;        ///< of the laboratory that it stands beside
   double sign = 1.0;                                      ///< -1: recorded as negative, as tension is
   double HistoryRow::*value = &HistoryRow::axial_stress;  ///< the column of the stress
   std::optional<TestQuantity> derived = std::nullopt;     ///< what the strength is a step to; none: nothing
@@ -61,10 +60,13 @@ struct ExpectedPeak {
   double bedded = 0.0;         ///< the same with bedding; 0: as Jaeger's strength of that inclination
 };
 
-/// A number of a test that a laboratory reports, where it is not the strength of the curve.
-struct ReportedNumber {
-  Property property;
-  const char* number;  ///< its name among the numbers of a result
+/// How a test is loaded that answers a laboratory's value, its peak being where that value says.
+struct PeakOfValue {
+  /// Strain at the peak of an elastic specimen times its modulus [Pa]. `value`: of the table, in SI; `side`:
+  /// the stress that the test keeps, with which its own begins [Pa].
+  double (*strain_times_modulus)(const Recipe&, double value, double side) =
+      [](const Recipe&, double value, double side) { return value - side; };
+  double wave_transits = 100.0;  ///< of a wave across the specimen, in the time until that peak
 };
 
 /// What is cut from the middle of the packing: a disc, or its upper half with the flat face down, which may
@@ -92,7 +94,6 @@ struct TestDescription {
   /// added or moved later changes no hash.
   std::vector<std::string> hashed;
   TestCurve curve;
-  std::vector<ReportedNumber> reported = {};
   std::vector<TableColumn> table;
   bool runs_to_end = false;     ///< to test.max_strain, whatever happens, for what comes after the peak
   bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)
@@ -101,6 +102,7 @@ struct TestDescription {
   KeptStress kept_stress = {};
   double TestRecipe::*friction = &TestRecipe::platen_friction;  ///< of the bodies that are rough
   ExpectedPeak expected = {};
+  PeakOfValue peak_of_value = {};
   /// What is cut from the packing; null: the whole rectangle is tested.
   SpecimenCut (*cut)(const Recipe&) = nullptr;
 
@@ -117,6 +119,8 @@ struct TestDescription {
   /// False where the loading column is a displacement [m]; the recipe's limits of strain are then limits of
   /// displacement over the specimen's width.
   bool loads_by_strain() const;
+  /// What of a laboratory the curve stands beside; nothing: no table has it.
+  std::optional<Property> property() const;
 };
 
 /// All tests, uniaxial compression first. Defined by the laboratory.

@@ -155,15 +155,7 @@ AnglePanel panel_of(const RunRecord& run, const std::vector<Target>& table, cons
 // -------------------------------------------------------------------------------------------
 
 std::string axis_label(Property property) {
-  constexpr std::array<const char*, n_properties> symbols = {"{/:Italic E}",
-                                                             "{/:Italic ν}",
-                                                             "UCS",
-                                                             "direct tensile strength",
-                                                             "Brazilian strength",
-                                                             "{/:Italic σ}_1 at the peak",
-                                                             "crack initiation {/:Italic σ}_{ci}",
-                                                             "fracture toughness {/:Italic K}_{Ic}"};
-  const std::string unit = shown_unit(property).name, symbol = symbols[static_cast<std::size_t>(property)];
+  const std::string unit = measured(property).shown.name, symbol = measured(property).axis;
   return unit.empty() ? symbol : symbol + " [" + unit + "]";
 }
 
@@ -187,7 +179,7 @@ double room_beside(const std::vector<Comparison>& rows) {
 AnglePanel panel_of(const Calibration& c, const Target& test, double beside_it, const TheoryCurves& curves) {
   AnglePanel panel{axis_label(test.property), particulars(test), {}};
   if (!panel.which.empty()) panel.which.erase(0, 2);  // ", "
-  const double f = shown_unit(test.property).factor;
+  const double f = measured(test.property).shown.factor;
   for (const Comparison& fitted : c.fitted) {
     const Target& t = fitted.target;
     if (!same_test(t, test)) continue;
@@ -231,11 +223,11 @@ std::vector<Target> table_of(const Calibration& c) {
 double draw_anisotropy(GnuplotScript& s, const RunRecord& run, const std::vector<Target>& table,
                        double width) {
   const TheoryCurves curves = theory_curves(run);
-  const TestCurve& axes = (run.tests.empty() ? TestKind() : run.tests.front().recipe.test.kind)->curve;
-  const TestQuantity made_for = axes.quantity();
+  const TestKind kind = run.tests.empty() ? TestKind() : run.tests.front().recipe.test.kind;
+  const TestQuantity made_for = kind->curve.quantity();
   const RunNumber all[] = {{"E_tangent", axis_label(Property::E), 1e-9, Property::E, &curves.E},
                            {made_for.number, typeset(made_for.label) + " [" + made_for.unit + "]",
-                            made_for.scale, axes.property, &curves.ucs},
+                            made_for.scale, kind->property(), &curves.ucs},
                            {"nu", axis_label(Property::nu), 1.0, Property::nu, &curves.nu}};
   std::vector<AnglePanel> panels;
   for (const RunNumber& n : all)

@@ -34,7 +34,8 @@ Json history_json(const History& history, const TestCurve& axes) {
           {"stress", packed<double>(history.rows, [&](const HistoryRow& r) { return axes.stress_of(r); })}};
 }
 
-Json axes_json(const TestCurve& a) {
+Json axes_json(const TestDescription& test) {
+  const TestCurve& a = test.curve;
   const TestQuantity made_for = a.quantity();
   return {{"strain", a.strain},
           {"strain_unit", a.strain_unit},
@@ -48,7 +49,7 @@ Json axes_json(const TestCurve& a) {
             {"label", made_for.label},
             {"unit", made_for.unit},
             {"factor", made_for.scale}}},
-          {"property", a.property ? to_string(*a.property) : ""}};
+          {"property", test.property() ? to_string(*test.property()) : ""}};
 }
 
 Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {
@@ -129,7 +130,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const SpecimenRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
-  j["axes"] = axes_json(first.recipe.test.kind->curve);
+  j["axes"] = axes_json(*first.recipe.test.kind);
   j["done"] = done_json(first.recipe);
   j["tests"] = Json::array();
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));

@@ -58,9 +58,8 @@ const Fields& rock_fields() {
                             "what makes the model's layers: joints on planes, directions of the bonds, both, "
                             "joints on a share of the planes (rock bridges), or what predicts best; with a "
                             "recipe what that has");
-    for (const LayerModel l : {LayerModel::choose, LayerModel::planes, LayerModel::directions,
-                               LayerModel::planes_and_directions, LayerModel::planes_with_bridges})
-      layers.choices.emplace_back(to_string(l));
+    for (int i = 0; i < n_layer_models; ++i)
+      layers.choices.emplace_back(to_string(static_cast<LayerModel>(i)));
     layers.otherwise = "\"choose\"";
     Field matrix = rock_key(K::choice, "matrix",
                             "what holds the grains together, flat joints where UCS is many times the tensile "
@@ -115,12 +114,6 @@ bool is_ideal(const BeddingRecipe& b, const MatrixRecipe& m) {
                        m.model == MatrixModel::parallel_bond && !m.directional();
   return b.is_regular() && (b.persistence == 1.0 || bridged) && b.sigma_n_sd == 0.0 &&
          b.layer_thickness == 0.0 && (b.bridges || b.rule != BeddingRule::zone);
-}
-
-LayerModel layers_of(const Recipe& recipe) {
-  if (recipe.bedding.empty()) return LayerModel::directions;
-  if (recipe.matrix.directional()) return LayerModel::planes_and_directions;
-  return recipe.bedding.front().persistence < 1.0 ? LayerModel::planes_with_bridges : LayerModel::planes;
 }
 
 /// Keys of the rock file.

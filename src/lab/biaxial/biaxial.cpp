@@ -147,7 +147,6 @@ TestDescription description() {
                             "lateral_stress", "deviatoric_stress"});
   d.curve.stress = "deviatoric stress", d.curve.value = &HistoryRow::deviatoric_stress;
   d.curve.strength = "q_max", d.curve.strength_label = "largest deviatoric stress";
-  d.reported = {{Property::confined, "sigma_1"}};
   d.table = {{"E tan50", "GPa", "E_tangent", 1e-9, 2},
              {"nu", "", "nu", 1.0, 3},
              {"sigma_3", "MPa", "sigma_3", 1e-6, 2},

@@ -92,7 +92,6 @@ TestDescription description() {
                             "centre_tension_top", "centre_tension_bottom"});
   d.curve.strain = "closure of the platens / diameter", d.curve.stress = "tension at the centre";
   d.curve.strength = "bts", d.curve.strength_label = "Brazilian strength";
-  d.curve.property = Property::brazilian;
   d.table = {{"BTS", "MPa", "bts", 1e-6, 2},
              {"sigma_ci", "MPa", "sigma_ci", 1e-6, 2},
              {"1st crack", "y/D", "first_crack_y", 1.0, 2},
@@ -102,6 +101,9 @@ TestDescription description() {
   d.friction = &TestRecipe::jaw_friction;
   // 6: approach of the jaws over the diameter, over BTS / E, after Hondros.
   d.expected = {.length = disc_diameter, .strain_factor = 6.0, .intact = 0.36, .bedded = 0.2};
+  d.peak_of_value.strain_times_modulus = [](const Recipe&, double strength, double) {
+    return disc_approach * strength;
+  };
   d.loading_text = [](const Recipe& r) {
     return fmt::format("Discs of {} were cut from the specimens; {} (friction {:g}) closed on them at {}.",
                        print_quantity(disc_diameter(r), Dimension::length),

@@ -75,7 +75,6 @@ TestDescription description() {
                             "grip_stress_top", "grip_stress_bottom"});
   d.curve.strain = "elongation", d.curve.stress = "tensile stress", d.curve.sign = -1.0;
   d.curve.strength = "sigma_t", d.curve.strength_label = "direct tensile strength";
-  d.curve.property = Property::direct_tension;
   d.table = {{"E tan50", "GPa", "E_tangent", 1e-9, 2},
              {"nu", "", "nu", 1.0, 3},
              {"sigma_t", "MPa", "sigma_t", 1e-6, 2},

@@ -63,8 +63,6 @@ TestDescription description() {
        balance_columns()});
   d.hashed = hashed_fields({"axial_strain", "axial_strain_gauge", "lateral_strain_gauge", "axial_stress",
                             "stress_top", "stress_bottom"});
-  d.curve.property = Property::ucs;
-  d.reported = {{Property::crack_initiation, "sigma_ci_strain"}};
   d.table = {{"E tan50", "GPa", "E_tangent", 1e-9, 2},
              {"E sec50", "GPa", "E_secant", 1e-9, 2},
              {"nu", "", "nu", 1.0, 3},

@@ -1,0 +1,123 @@
+#include "records/rock_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace phy {
+namespace {
+
+/// By what a recipe has, whatever holds its grains.
+bool has_layers_of(const RockModel& m, const Recipe& r) {
+  return m.joints == !r.bedding.empty() && m.directions == r.matrix.directional() &&
+         m.bridges == has_bridges(r);
+}
+
+constexpr auto parallel = MatrixModel::parallel_bond, flat = MatrixModel::flat_joint;
+
+}  // namespace
+
+std::span<const RockModel> rock_models() {
+  static const std::array<RockModel, 7> models = {
+      {{.id = "parallel-bonds",
+        .layered = false,
+        .layers = LayerModel::planes,
+        .matrix = parallel,
+        .words = "parallel bonds",
+        .sentence = ""},
+       {.id = "flat-joints",
+        .layered = false,
+        .layers = LayerModel::planes,
+        .matrix = flat,
+        .words = "flat joints",
+        .sentence = ""},
+       {.id = "planes",
+        .layered = true,
+        .layers = LayerModel::planes,
+        .matrix = parallel,
+        .joints = true,
+        .words = "joints on planes",
+        .sentence = ""},
+       {.id = "directions",
+        .layered = true,
+        .layers = LayerModel::directions,
+        .matrix = parallel,
+        .directions = true,
+        .words = "directions of the bonds",
+        .sentence = " The layers are represented by bonds whose stiffness and strength depend on their "
+                    "direction."},
+       {.id = "planes-and-directions",
+        .layered = true,
+        .layers = LayerModel::planes_and_directions,
+        .matrix = parallel,
+        .joints = true,
+        .directions = true,
+        .words = "joints on planes, directions of the bonds' strength",
+        .sentence = " The layers are represented by smooth joints between bonds whose strength depends on "
+                    "their direction.",
+        .contains = &models[2]},
+       {.id = "planes-with-bridges",
+        .layered = true,
+        .layers = LayerModel::planes_with_bridges,
+        .matrix = parallel,
+        .joints = true,
+        .bridges = true,
+        .words = "joints on {:g} of the planes",
+        .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
+                    "bridges.",
+        .contains = &models[2]},
+       {.id = "planes-between-flat-joints",
+        .layered = true,
+        .layers = LayerModel::planes,
+        .matrix = flat,
+        .joints = true,
+        .words = "joints on planes between flat joints",
+        .sentence = ""}}};
+  return models;
+}
+
+bool RockModel::has(const Recipe& r) const { return matrix == r.matrix.model && has_layers_of(*this, r); }
+
+const RockModel* model_of(const Recipe& recipe) {
+  for (const RockModel& m : rock_models())
+    if (m.has(recipe)) return &m;
+  return nullptr;
+}
+
+const RockModel* find_model(bool layered, LayerModel layers, MatrixModel matrix) {
+  for (const RockModel& m : rock_models())
+    if (m.layered == layered && m.layers == layers && m.matrix == matrix) return &m;
+  return nullptr;
+}
+
+std::string text_of(const RockModel& model, double jointed_share) {
+  return fmt::format(fmt::runtime(model.words), jointed_share);
+}
+
+const char* to_string(LayerModel model) {
+  constexpr std::array<const char*, n_layer_models> words = {"choose", "planes", "directions",
+                                                             "planes and directions", "planes with bridges"};
+  return words[static_cast<std::size_t>(model)];
+}
+
+LayerModel layers_of(const Recipe& recipe) {
+  for (const RockModel& m : rock_models())
+    if (m.layered && has_layers_of(m, recipe)) return m.layers;
+  return recipe.bedding.empty() ? LayerModel::directions : LayerModel::planes_and_directions;
+}
+
+bool is_directed(LayerModel model) {
+  return std::ranges::any_of(rock_models(),
+                             [&](const RockModel& m) { return m.layers == model && m.directions; });
+}
+
+bool of_parallel_bonds(LayerModel model) {
+  return model != LayerModel::choose && find_model(true, model, flat) == nullptr;
+}
+
+bool has_bridges(const Recipe& r) { return !r.bedding.empty() && r.bedding.front().persistence < 1.0; }
+
+double jointed_share(const Recipe& r) { return r.bedding.empty() ? 1.0 : r.bedding.front().persistence; }
+
+}  // namespace phy
