@@ -18,9 +18,9 @@ constexpr std::string_view advices[] = {
 #undef PHY_WORD
 };
 
-const Quantity* quantity(const Finding& finding, std::string_view name) {
+const NamedNumber* quantity(const Finding& finding, std::string_view name) {
   const auto it = std::find_if(finding.numbers.begin(), finding.numbers.end(),
-                               [&](const Quantity& q) { return q.name == name; });
+                               [&](const NamedNumber& q) { return q.name == name; });
   return it != finding.numbers.end() ? &*it : nullptr;
 }
 
@@ -34,7 +34,7 @@ std::string_view to_string(Advice advice) { return advices[static_cast<std::size
 bool Finding::has(std::string_view name) const { return quantity(*this, name) != nullptr; }
 
 double Finding::number(std::string_view name) const {
-  const Quantity* q = quantity(*this, name);
+  const NamedNumber* q = quantity(*this, name);
   PHY_CHECK(q != nullptr, "the finding has no number " + std::string(name));
   return q->value;
 }

@@ -23,10 +23,10 @@ struct Cell {
 Cell cell_of(const Target& target);
 
 /// A number of a finding in SI. Its name is the key in files and says what it is: "model", "laboratory".
-struct Quantity {
+struct NamedNumber {
   std::string_view name;  ///< of a literal: it outlives every finding
   double value;
-  friend bool operator==(const Quantity&, const Quantity&) = default;
+  friend bool operator==(const NamedNumber&, const NamedNumber&) = default;
 };
 
 /// What was found. The lists say what belongs to each; its word is also the one in files.
@@ -49,7 +49,7 @@ std::string_view to_string(Advice advice);
 struct Finding {
   FindingKind kind;
   std::vector<Cell> cells = {};
-  std::vector<Quantity> numbers = {};
+  std::vector<NamedNumber> numbers = {};
   std::vector<std::string> names = {};  ///< of what is no number: a model of rock, a parameter, a column
   Advice advice = Advice::none;
 
