@@ -62,7 +62,7 @@ Json problem_json(Problem problem, const std::string& toml_file, const std::stri
 Json target_json(const Target& t) {
   const double half = t.half_width();
   Json j = {{"property", to_string(t.property)},
-            {"unit", si_unit(t.property)},
+            {"unit", inner_unit(measured(t.property).dimension)},
             {"theta", t.theta},
             {"mean", t.mean},
             {"sd", t.sd},

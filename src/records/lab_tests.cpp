@@ -46,16 +46,6 @@ std::string_view to_string(Remedy remedy) {
 
 namespace {
 
-const char* name_of(Property property) {
-  switch (property) {
-    case Property::direct_tension: return "direct tension";
-    case Property::brazilian: return "Brazilian tension";
-    case Property::confined: return "strength under confinement";
-    case Property::crack_initiation: return "sigma_ci by crack volumetric strain";
-    default: return to_string(property);
-  }
-}
-
 std::string inclination_of(const LabTest& test) {
   switch (test.where) {
     case Inclination::between:
@@ -77,7 +67,7 @@ std::string name_of(const LabTest& test) {
     case StressAsked::another: return "strength under another confinement, or none, at the same angle";
     case StressAsked::any: break;
   }
-  return name_of(test.property) + inclination_of(test);
+  return measured(test.property).test_name + inclination_of(test);
 }
 
 std::string names_of(const std::vector<LabTests>& tests) {

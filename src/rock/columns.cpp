@@ -301,25 +301,28 @@ std::string unit_of_cell(const std::string& cell) {
   return unit_word(cell.starts_with('[') || cell.starts_with('(') ? bare(cell, "[]() \t") : cell);
 }
 
+namespace {
+
+bool holds_values(const Head& h) { return h.kind == Column::value || h.kind == Column::scatter; }
+
+}  // namespace
+
 Dimension dimension_of(const Head& h) {
   if (h.kind == Column::theta || h.kind == Column::beta || h.kind == Column::friction)
     return Dimension::angle;
   if (h.kind == Column::diameter) return Dimension::length;
-  if (h.kind == Column::n || h.property == Property::nu) return Dimension::none;
-  if (h.property == Property::fracture_toughness) return Dimension::toughness;
-  return Dimension::pressure;
+  if (h.kind == Column::n) return Dimension::none;
+  return holds_values(h) ? measured(h.property).dimension : Dimension::pressure;
 }
 
 std::string usual_unit(const Head& h) {
+  if (holds_values(h)) return measured(h.property).shown.name;
   switch (dimension_of(h)) {
     case Dimension::angle: return "deg";
     case Dimension::length: return "mm";
-    case Dimension::toughness: return "MPa sqrt(m)";
     case Dimension::none: return "";
-    default: break;
+    default: return "MPa";
   }
-  const bool modulus = h.property == Property::E && (h.kind == Column::value || h.kind == Column::scatter);
-  return modulus ? "GPa" : "MPa";
 }
 
 const std::vector<ColumnRow>& column_rows() {

@@ -400,10 +400,10 @@ class RockReader {
     const auto known = [&](const std::string& key) { return !grains_told || !about_grains(key); };
     // Without a diameter of its own the disc is the model's, which has been checked.
     for (const RockReading& r : rock_.readings) {
-      if (!is_of_discs(r.property) || r.diameter == 0.0) continue;
+      if (!measured(r.property).of_discs || r.diameter == 0.0) continue;
       Recipe disc = rock_.model;
       disc.test.disc_diameter = r.diameter;
-      if (r.property == Property::fracture_toughness) disc.test.kind = TestKind("semi_circular_bend");
+      disc.test.kind = TestKind(measured(r.property).test);
       std::string where = table_ + ":" + std::to_string(r.line);
       // Everything but the diameter is the model again.
       for (Problem& p : cross_checks(
@@ -462,13 +462,11 @@ class RockReader {
     if (problems_.size() == n_before) check_content(where), check_toughness();
   }
   void check_toughness() {
-    bool any = false, confined = false, compressed = false;
+    bool any = false, compressed = false;
     for (const RockReading& r : rock_.readings) {
       compressed = compressed || is_compressive(r.property);
-      if (r.property != Property::fracture_toughness) continue;
-      any = any || r.confining == 0.0, confined = confined || r.confining > 0.0;
+      any = any || (r.property == Property::fracture_toughness && r.confining == 0.0);
     }
-    if (confined) rock_.notes.emplace_back("K_Ic under confining pressure is kept, not fitted");
     if (any && !compressed)
       rock_.notes.emplace_back(
           "K_Ic is kept, not used: without a strength in compression no strength is calibrated");
@@ -513,11 +511,11 @@ class RockReader {
   }
   void check_content(const std::string& where) {
     std::set<double> angles;
-    bool nu = false, E = false, tension = false, initiation = false;
+    bool nu = false, E = false;
+    std::set<Property> kept;  // of tests that no calibration does
     for (const RockReading& r : rock_.readings) {
       angles.insert(r.theta);
-      tension = tension || (is_tensile(r.property) && r.confining > 0.0);
-      initiation = initiation || (is_read_before_ucs(r.property) && r.confining > 0.0);
+      if (r.confining > 0.0 && !measured(r.property).under_stress) kept.insert(r.property);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
     }
     if (rock_.readings.empty())
@@ -527,8 +525,8 @@ class RockReader {
     else if (rock_.bedded && angles.size() < least_angles)
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock", "test 0, 45 and 90 degrees"});
-    if (initiation) rock_.notes.emplace_back("sigma_ci under confining pressure is kept, not fitted");
-    if (tension) rock_.notes.emplace_back("tensile strengths under confining pressure are kept, not fitted");
+    for (const Property p : kept)
+      rock_.notes.push_back(fmt::format("{} under confining pressure is kept, not fitted", to_string(p)));
     if (rock_.reading == ElasticReading::plane_strain && E && !nu)
       problems_.push_back({path_, "elastic_reading", "plane strain", "a column nu",
                            "plane strain cannot be converted without it"});

@@ -87,101 +87,68 @@ const std::map<std::string, const Known*>& known_by_key() {
   return names;
 }
 
+/// A column of values for every property that a laboratory measures.
+void add_properties(std::vector<Known>& known) {
+  for (const MeasuredProperty& p : measured_properties()) {
+    known.push_back({p.name, Column::value, p.property, p.meaning, p.headers});
+    if (!p.deviator_headers.empty())
+      known.push_back(
+          {"deviator", Column::value, p.property, "sigma_1 - sigma_3 at the peak", p.deviator_headers});
+  }
+}
+
 }  // namespace
 
 /// The one list: readers, messages and docs/tables.md follow it. Left out on purpose: "d" and "no", which
 /// mean other things too.
 const std::vector<Known>& known_columns() {
   using C = Column;
-  using P = Property;
-  static const std::vector<Known> known = {
-      {"theta",
-       C::theta,
-       P::E,
-       "inclination of the layers, load upright: 0 = across the load, 90 = along it",
-       {"θ", "dip", "dip angle", "inclination", "bedding inclination", "bedding dip", "bedding dip angle",
-        "foliation dip", "foliation dip angle", "foliation inclination", "angle theta"}},
-      {"beta", C::beta, P::E, "angle between load and layers: 90 - theta", {"β", "angle beta"}},
-      {"E",
-       C::value,
-       P::E,
-       "Young's modulus; the rock file's `E_is` says how it was read",
-       {"E50", "Young", "Young modulus", "Young's modulus", "elastic modulus", "elasticity modulus",
-        "modulus of elasticity", "deformation modulus", "modulus of deformation", "RUCS_E"}},
-      {"nu",
-       C::value,
-       P::nu,
-       "apparent Poisson's ratio",
-       {"ν", "v", "Poisson", "Poisson ratio", "Poisson's ratio", "RUCS_MU"}},
-      {"UCS",
-       C::value,
-       P::ucs,
-       "uniaxial compressive strength; beside a `confining` above 0 it is sigma_1",
-       {"sigma_c", "sigma_ucs", "q_u", "uniaxial compressive strength", "unconfined compressive strength",
-        "uniaxial strength", "compressive strength", "peak strength", "RUCS_UCS"}},
-      {"DTS",
-       C::value,
-       P::direct_tension,
-       "direct tensile strength",
-       {"direct tensile strength", "direct tension", "uniaxial tensile strength"}},
-      {"BTS",
-       C::value,
-       P::brazilian,
-       "Brazilian (splitting) tensile strength",
-       {"sigma_t", "sigma_bt", "Brazilian strength", "Brazilian tensile strength",
-        "indirect tensile strength", "splitting tensile strength", "tensile strength", "ITS"}},
-      {"sigma_1",
-       C::value,
-       P::confined,
-       "axial stress at the peak under `confining`",
-       {"s1", "major principal stress", "axial stress at failure"}},
-      {"deviator",
-       C::value,
-       P::confined,
-       "sigma_1 - sigma_3 at the peak",
-       {"q", "sigma_d", "sigma_1 - sigma_3", "deviator stress", "deviatoric stress", "stress difference",
-        "differential stress", "peak deviator stress", "peak deviatoric stress"}},
-      {"sigma_ci",
-       C::value,
-       P::crack_initiation,
-       "axial stress at which cracks begin, in the test of UCS",
-       {"crack initiation", "crack initiation stress"}},
-      {"K_Ic",
-       C::value,
-       P::fracture_toughness,
-       "fracture toughness of a semi-circular bend test, notch along the load",
-       {"K_1c", "fracture toughness", "mode I fracture toughness", "mode 1 fracture toughness",
-        "fracture toughness K_Ic", "toughness"}},
-      {"n",
-       C::n,
-       P::E,
-       "specimens behind the row",
-       {"number of specimens", "number of tests", "number of samples", "no. of specimens", "no. of samples",
-        "no. of tests", "n specimens", "n samples", "n tests"}},
-      {"diameter",
-       C::diameter,
-       P::E,
-       "diameter of the disc of a BTS, of the half disc of a K_Ic",
-       {"disc diameter", "disk diameter"}},
-      {"confining",
-       C::confining,
-       P::E,
-       "confining stress; empty: none",
-       {"sigma_3", "s3", "p_c", "confining pressure", "confining stress", "confinement", "cell pressure",
-        "minor principal stress"}},
-      {"c", C::cohesion, P::E, "cohesion of an envelope through n tests", {"cohesion"}},
-      {"phi",
-       C::friction,
-       P::E,
-       "its angle of friction",
-       {"φ", "friction angle", "angle of friction", "internal friction angle", "angle of internal friction"}},
-      {"confining_min", C::least_confining, P::E, "least confining stress of these tests", {"sigma_3 min"}},
-      {"confining_max", C::most_confining, P::E, "largest confining stress of these tests", {"sigma_3 max"}},
-      {"sigma_2",
-       C::intermediate,
-       P::E,
-       "intermediate stress; where it is not `confining` the row is refused",
-       {"s2", "intermediate principal stress"}}};
+  constexpr Property no = Property::E;  // of columns without values
+  static const std::vector<Known> known = [] {
+    std::vector<Known> all = {
+        {"theta",
+         C::theta,
+         no,
+         "inclination of the layers, load upright: 0 = across the load, 90 = along it",
+         {"θ", "dip", "dip angle", "inclination", "bedding inclination", "bedding dip", "bedding dip angle",
+          "foliation dip", "foliation dip angle", "foliation inclination", "angle theta"}},
+        {"beta", C::beta, no, "angle between load and layers: 90 - theta", {"β", "angle beta"}}};
+    add_properties(all);
+    const std::vector<Known> others = {
+        {"n",
+         C::n,
+         no,
+         "specimens behind the row",
+         {"number of specimens", "number of tests", "number of samples", "no. of specimens", "no. of samples",
+          "no. of tests", "n specimens", "n samples", "n tests"}},
+        {"diameter",
+         C::diameter,
+         no,
+         "diameter of the disc of a BTS, of the half disc of a K_Ic",
+         {"disc diameter", "disk diameter"}},
+        {"confining",
+         C::confining,
+         no,
+         "confining stress; empty: none",
+         {"sigma_3", "s3", "p_c", "confining pressure", "confining stress", "confinement", "cell pressure",
+          "minor principal stress"}},
+        {"c", C::cohesion, no, "cohesion of an envelope through n tests", {"cohesion"}},
+        {"phi",
+         C::friction,
+         no,
+         "its angle of friction",
+         {"φ", "friction angle", "angle of friction", "internal friction angle",
+          "angle of internal friction"}},
+        {"confining_min", C::least_confining, no, "least confining stress of these tests", {"sigma_3 min"}},
+        {"confining_max", C::most_confining, no, "largest confining stress of these tests", {"sigma_3 max"}},
+        {"sigma_2",
+         C::intermediate,
+         no,
+         "intermediate stress; where it is not `confining` the row is refused",
+         {"s2", "intermediate principal stress"}}};
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
   return known;
 }
 

@@ -29,10 +29,7 @@ constexpr double least_over_sides = 1.1;  // sigma_1 over sigma_3; a friction an
 
 /// What can be computed with at all. Values that are merely doubtful are a matter of
 /// records/rock_warnings.hpp.
-struct Range {
-  double low, high;
-  const char* text;
-};
+using Range = PossibleValues;
 Range range_of(const Head& h) {
   switch (h.kind) {
     case Column::theta:
@@ -46,16 +43,10 @@ Range range_of(const Head& h) {
     case Column::cohesion: return {0.0, 5e9, "0 Pa <= cohesion <= 5 GPa"};
     case Column::friction: return {0.0, 80.0, "0 deg <= angle of friction <= 80 deg"};
     case Column::scatter:
-      return h.property == Property::nu ? Range{0.0, 1.0, "0 <= SD of nu <= 1"}
-                                        : Range{0.0, 1e12, "a standard deviation >= 0"};
-    default: break;
+      return measured(h.property).absolute ? Range{0.0, 1.0, "0 <= SD of nu <= 1"}
+                                           : Range{0.0, 1e12, "a standard deviation >= 0"};
+    default: return measured(h.property).possible;
   }
-  if (h.property == Property::E) return {1e6, 1e12, "1 MPa <= E <= 1000 GPa"};
-  // Apparent nu of anisotropic rock may be negative or above 0.5.
-  if (h.property == Property::nu) return {-0.5, 1.5, "-0.5 <= apparent nu <= 1.5"};
-  if (h.property == Property::fracture_toughness)
-    return {1e3, 1e8, "1 kPa sqrt(m) <= K_Ic <= 100 MPa sqrt(m)"};
-  return {1e3, 5e9, "1 kPa <= strength <= 5 GPa"};
 }
 
 /// Reads the cells of a table.
