@@ -60,6 +60,7 @@ struct MeasuredProperty {
   Property property;
   /// As people call it.
   const char* name;                                ///< of its column, and in files: "UCS"
+  const char* test_name;                           ///< of what a laboratory does: "direct tension"
   const char* meaning;                             ///< for the list of columns
   std::vector<const char*> headers;                ///< what laboratories call that column
   std::vector<const char*> deviator_headers = {};  ///< the same of the value less the confining stress
