@@ -20,6 +20,7 @@ GENERATED = ("docs/reference.md", "docs/reliability-tables.md", "docs/status.md"
 # Not held to the rules of sentences: decisions, with the measurements of their day; the map of the code.
 RECORDS = ("docs/decisions/", "CHANGELOG.md", "docs/architecture.md")
 EVASIONS = re.compile(r"\b(?:that|those) of\b|\bthe (?:latter|former) of\b", re.I)
+PLACE = re.compile(r"`((?:src|tests|tools|examples|data|bench|measured|packaging|docs)/[\w./-]+)`")
 MONTHS = "January|February|March|April|May|June|July|August|September|October|November|December"
 DATE = re.compile(rf"\b\d{{1,2}} (?:{MONTHS})\b|\b20\d\d-\d\d-\d\d\b")
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?(?![\w])")
@@ -33,6 +34,7 @@ class Page:
         self.path = path
         self.name = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name
         self.paragraphs, self.tables, self.headings, self.links, self.anchors = [], [], [], [], set()
+        self.places = []  # of the repository, named in code
         paragraph, table, fence, sources = [], [], None, False
         lines = path.read_text(encoding="utf-8").split("\n")
         for number, line in enumerate(lines + [""], 1):
@@ -63,6 +65,7 @@ class Page:
             if text and not sources:  # a list of references is no prose
                 paragraph.append((number, re.sub(r"^([-*]|\d+\.|:) +", "", text)))
             if not fence:
+                self.places += [(number, place) for place in PLACE.findall(line)]
                 self.links += [(number, target) for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line))]
         self.anchors.update(slug(text) for _, text in self.headings)
 
@@ -144,6 +147,16 @@ def problems_of_tables(page):
                     yield line, f"a cell of {words(plain(cell))} words: {plain(cell)[:90]}"
 
 
+def problems_of_places(page):
+    """A file or folder that code names; a stem stands for its header and source."""
+    if page.name.startswith("CHANGELOG"):
+        return
+    for line, place in page.places:
+        path = ROOT / place
+        if "NAME" not in place and not path.exists() and not any(path.parent.glob(path.name + ".*")):
+            yield line, f"no such file: {place}"
+
+
 def problems_of_links(page, pages):
     for line, target in page.links:
         if re.match(r"[a-z]+:", target):
@@ -163,7 +176,7 @@ def main(arguments):
     pages = {p: Page(p) for p in ((ROOT / n).resolve() for n in names) if p.exists()}
     n_problems = 0
     for page in pages.values():
-        found = list(problems_of_tables(page)) + list(problems_of_links(page, pages))
+        found = [*problems_of_tables(page), *problems_of_links(page, pages), *problems_of_places(page)]
         lengths = [words(s) for _, p in page.paragraphs for s in sentences(p)] or [0]
         if page.name not in GENERATED:
             found += problems_of_text(page)

@@ -631,7 +631,7 @@ GRANITE = """
 
 Looked up: the paper's abstract (micro-parameters, and two- and three-dimensional biaxial, triaxial and Brazilian tests) and quotations by
 others. Its tables could not be opened. E 70.9 GPa and UCS 199.1 MPa are **second hand**: a benchmark of the code DIRT
-(github.com/SueHeir/dirt, `examples/bench_potyondy_cundall_bpm/README.md`) quotes them as PFC2D's of the paper's Table 2. All else is **from memory**:
+(github.com/SueHeir/dirt, its bench_potyondy_cundall_bpm) quotes them as PFC2D's of the paper's Table 2. All else is **from memory**:
 
 | | |
 |---|---|

@@ -97,7 +97,7 @@ The slope is that of the line. It ran on 25 November.
 | 1 | 2 | 3 |
 | {LONG}| 2 |
 
-[here](#a-page), [there](#nowhere), [away](missing.md)
+[here](#a-page), [there](#nowhere), [away](missing.md), `tools/check_docs.py`, `tools/status`, `src/nothing.hpp`
 
 ```
 {LONG} that of 1 2 3 4
@@ -116,6 +116,7 @@ class Documents(unittest.TestCase):
             self.assertEqual([line for line, _ in check_docs.problems_of_tables(page)], [11, 12])
             self.assertEqual([found for _, found in check_docs.problems_of_links(page, {})],
                              ["no such heading: #nowhere", "a link to nowhere: missing.md"])
+            self.assertEqual([found for _, found in check_docs.problems_of_places(page)], ["no such file: src/nothing.hpp"])
 
     def test_sentences_end_where_a_reader_ends_them(self):
         text = "Fig. 3 shows E. nu falls (see Eq. 1). sigma_c stays. It is 0.5 there."
