@@ -21,6 +21,8 @@ A value is the latest one. The interval behind it is a range over runs, or the 9
 Synthetic means: this program made the table from known parameters. Two measured rocks were tried, a gneiss and a schist.
 One run is not a measurement: other packings and bond seeds scatter by a few per cent.
 
+**{n_met} of {n_goals} goals are met.** Rows without a goal are measurements that somebody may ask for.
+
 """
 
 
@@ -35,9 +37,11 @@ def number(text):
 
 
 def holds(goal, value, unit):
-    """"yes", "no", or "" where there is no goal. A signed value counts by its size against an upper limit."""
+    """"yes", "no", "open" where nobody has run it, or "" where there is no goal. A signed value counts by its size against an upper limit."""
     if not goal:
         return ""
+    if value == "not run":
+        return "open"
     if limit := re.fullmatch(r"(<=|>=) ([\d.]+)(?: (.*))?", goal):
         if not (limit[3] or "").startswith("of ") and (limit[3] or "") != unit:
             raise ValueError(f"the goal {goal} and a value in {unit or '1'}")
@@ -49,7 +53,7 @@ def holds(goal, value, unit):
 
 
 def page():
-    claims, text, section = rows_of("claims"), [HEAD], None
+    claims, text, section, met = rows_of("claims"), [], None, []
     tables = {name: rows_of(name) for name in {c["file"] for c in claims}}
     for c in claims:
         measured = [r for r in tables[c["file"]] if r["claim"] == c["claim"] and r["value"]]
@@ -64,9 +68,11 @@ def page():
         if last["interval"]:
             value += f" ({last['interval']})"
         more = f"[page]({c['page']})" if c["page"] else ""
-        text.append(f"| {c['claim']} | {c['goal']} | {value} | {holds(c['goal'], last['value'], last['unit'])} "
+        met.append(holds(c["goal"], last["value"], last["unit"]))
+        text.append(f"| {c['claim']} | {c['goal']} | {value} | {met[-1]} "
                     f"| [{c['file']}](../measured/{c['file']}.csv) | {more} |\n")
-    return "".join(text).replace("\n\n\n", "\n\n")
+    head = HEAD.format(n_met=met.count("yes"), n_goals=len(met) - met.count(""))
+    return (head + "".join(text)).replace("\n\n\n", "\n\n")
 
 
 def faults():
