@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the documents to the rules of CONTRIBUTING, "Words": short sentences, few numbers, small cells, sound tables, live links.
+"""Holds the documents, and the comments of examples, to the rules of CONTRIBUTING, "Words": short sentences, few numbers, small cells, sound tables, live links.
 
 Usage: check_docs.py [--list] [PAGE...]. Without pages: every page of the repository. `--list` prints a line per page: sentences,
 median length, share above 30 words. Exit code 1 if a rule is broken. `make lint` runs it.
@@ -77,6 +77,24 @@ class Page:
             if line and not line.startswith(" "):
                 return False
         return False
+
+
+class Comments(Page):
+    """The comments of a TOML file: lines in a row are a paragraph, an indented line is a table or a command."""
+
+    def __init__(self, path):
+        self.path, self.name = path, path.relative_to(ROOT).as_posix()
+        self.paragraphs, self.tables, self.links, self.places = [], [], [], []
+        paragraph = []
+        for number, line in enumerate(path.read_text(encoding="utf-8").split("\n") + [""], 1):
+            whole, behind = re.match(r"# ?(\S.*)", line), re.search(r"\s#\s+(\S.*)", line)
+            if paragraph and (not whole or whole[1].startswith("- ")):
+                self.paragraphs.append((paragraph[0][0], " ".join(t for _, t in paragraph)))
+                paragraph = []
+            if whole:
+                paragraph.append((number, whole[1]))
+            elif behind and not line.startswith("#"):
+                self.paragraphs.append((number, behind[1]))
 
 
 def slug(heading):
@@ -172,8 +190,8 @@ def problems_of_links(page, pages):
 def main(arguments):
     listed, names = "--list" in arguments, [a for a in arguments if not a.startswith("-")]
     if not names:
-        names = subprocess.run(["git", "ls-files", "*.md"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
-    pages = {p: Page(p) for p in ((ROOT / n).resolve() for n in names) if p.exists()}
+        names = subprocess.run(["git", "ls-files", "*.md", "examples/*.toml"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
+    pages = {p: (Page if p.suffix == ".md" else Comments)(p) for p in ((ROOT / n).resolve() for n in names) if p.exists()}
     n_problems = 0
     for page in pages.values():
         found = [*problems_of_tables(page), *problems_of_links(page, pages), *problems_of_places(page)]
