@@ -179,8 +179,16 @@ class Rock:
 
     @property
     def notes(self) -> List[str]:
-        """How the table was understood, and warnings about it, a line each."""
+        """How the table was understood, a line each."""
         return self._record.notes
+
+    @property
+    def findings(self) -> List[Dict[str, Any]]:
+        """What the table says by itself, as data: kind, cells, numbers, names, advice, and a text for people.
+
+        Doubts first (units, angles, outliers), then closed forms, then what the table lacks.
+        """
+        return _json.loads(self._record.findings)
 
     @property
     def targets(self) -> List[Target]:

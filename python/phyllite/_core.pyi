@@ -32,6 +32,7 @@ class RockRecord:
     name: str
     notes: List[str]
     targets: List[Dict[str, Any]]
+    findings: str
     def check(self) -> str: ...
 
 class Number:

@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "base/lines.hpp"
-#include "calibrate/elastic_limits.hpp"
 #include "calibrate/margin.hpp"
+#include "report/words.hpp"
+#include "survey/elastic_limits.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -24,7 +25,7 @@ void report_edges(ElasticVerdict& verdict, const std::vector<Estimate>& paramete
 void report_limit(ElasticVerdict& verdict, const ElasticFit& fit, const Evidence& evidence, bool softened,
                   bool nu_missed) {
   if (evidence.rock.bedded)
-    if (const std::string limit = elastic_limit(evidence.moduli); !limit.empty())
+    for (const std::string& limit : report::sentences(survey::elastic_limits(evidence.moduli)))
       verdict.findings.push_back(
           !softened
               ? limit

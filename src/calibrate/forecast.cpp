@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "base/least_squares.hpp"
-#include "calibrate/elastic_limits.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
 #include "calibrate/nearest.hpp"
+#include "survey/elastic_limits.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -246,7 +246,7 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
   for (std::size_t j = 0; j < problem.sought.size(); ++j)
     at_edge = at_edge || (problem.elastic[j] && std::fabs(x[ForecastProblem::place(j)]) > edge);
   f.beyond_map = at_edge && f.rms(Property::E) > modulus_limit &&
-                 elastic_limit(of_property(evidence.moduli, Property::E)).empty();
+                 survey::elastic_limits(of_property(evidence.moduli, Property::E)).empty();
   return f;
 }
 
@@ -316,7 +316,7 @@ bool Forecast::meets() const {
 std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
   if (!evidence.has(Property::E) && !evidence.has(Property::ucs)) return std::nullopt;
   // no model was mapped under confinement, and none has what this table asks of it
-  if (!evidence.rock.bedded && !confinement_limit(evidence.targets, evidence.rock.E_is).empty())
+  if (!evidence.rock.bedded && !survey::confinement_limits(evidence.targets, evidence.rock.E_is).empty())
     return std::nullopt;
   // most of such a table was not mapped
   if (evidence.fits_strength() && !evidence.has(Property::ucs)) return std::nullopt;

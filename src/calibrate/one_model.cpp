@@ -15,13 +15,13 @@
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/eq2.hpp"
-#include "calibrate/identifiability.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/sequence.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "calibrate/toughness.hpp"
 #include "calibrate/verdict.hpp"
+#include "survey/identifiability.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -67,7 +67,7 @@ const CalibratedParameter* open_link(const std::vector<Estimate>& estimates, con
 
 /// Which data speak about each parameter, and what would pin the others. `met`: the model meets the table.
 void add_identifiability(std::vector<Estimate>& estimates, const Evidence& evidence, bool met) {
-  const std::vector<Estimate> identifiable = identifiability(evidence);
+  const std::vector<Estimate> identifiable = survey::identifiability(evidence);
   for (Estimate& e : estimates) {
     const Estimate& f = *estimate_of(identifiable, e.determined ? e.parameter : open_link(estimates, e));
     if (e.determined)

@@ -46,22 +46,23 @@ PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& 
           curvature};
 }
 
-std::vector<std::string> coarse_half_discs(const Evidence& evidence) {
-  std::vector<std::string> lines;
+std::vector<Finding> coarse_half_discs(const Evidence& evidence) {
+  std::vector<Finding> found;
   const Recipe& model = evidence.rock.model;
-  std::vector<double> told;  // diameters
   for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {
     const double R = half_disc(model, t).radius, across = whole_grains(R, grain_size(model));
-    if (across >= fewest_in_radius || std::find(told.begin(), told.end(), R) != told.end()) continue;
-    told.push_back(R);
-    const double fine = std::floor(R / fewest_in_radius * 1e5) * 1e-2;  // [mm], rounded down
-    lines.push_back(
-        fmt::format("K_Ic: {:.0f} grains in the radius of the half disc ({:.3g} mm; below {:g} the notch is "
-                    "too blunt and "
-                    "K_Ic comes out too small): grains of {:g} mm, or a larger half disc, would resolve it",
-                    across, R * 1e3, fewest_in_radius, fine));
+    // once for each size of half disc
+    if (across >= fewest_in_radius ||
+        std::any_of(found.begin(), found.end(), [&](const Finding& f) { return f.number("radius") == R; }))
+      continue;
+    const double fine = std::floor(R / fewest_in_radius * 1e5) * 1e-5;  // rounded down to hundredths of a mm
+    found.push_back({FindingKind::coarse_half_disc,
+                     {},
+                     {{"grains", across}, {"radius", R}, {"fewest", fewest_in_radius}, {"wanted", fine}},
+                     {},
+                     Advice::finer_half_disc});
   }
-  return lines;
+  return found;
 }
 
 double grain_size_to_meet(const std::vector<Comparison>& toughness, double grain_size) {

@@ -13,6 +13,7 @@
 #include "calibrate/evidence.hpp"
 #include "calibrate/surrogate.hpp"
 #include "records/calibration.hpp"
+#include "records/finding.hpp"
 
 namespace phy::calibrate {
 
@@ -23,7 +24,7 @@ namespace phy::calibrate {
 PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting);
 
 /// Half discs of a table that few grains of the model go into.
-std::vector<std::string> coarse_half_discs(const Evidence& evidence);
+std::vector<Finding> coarse_half_discs(const Evidence& evidence);
 
 /// Mean diameter of the grains [m] that would meet the table at the same strengths:
 /// d (K_Ic of the table/K_Ic of the model)^2, the geometric mean over the rows; NaN without an answer.

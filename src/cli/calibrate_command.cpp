@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "base/quote.hpp"
-#include "calibrate/angle_question.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_words.hpp"
@@ -11,7 +10,9 @@
 #include "jobs/calibration_watch.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
+#include "report/words.hpp"
 #include "rock/file.hpp"
+#include "survey/doubts.hpp"
 
 namespace phy::cli {
 namespace {
@@ -38,8 +39,9 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   machine.store = begun.store;
   jobs::SpecimenFolder specimens(args.out);
   machine.gallery = &specimens;
-  if (const auto question = calibrate::angle_question(evidence.targets))
-    print_wrapped(width, 2, "{}\n\n", calibrate::text_of(*question, evidence.rock.counts_from_load));
+  const std::vector<Finding> doubts = survey::doubts_about(evidence);
+  for (const std::string& doubt : report::sentences(doubts)) print_wrapped(width, 2, "{}\n", doubt);
+  if (!doubts.empty()) print_out("\n");
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   print_notes(rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, width));

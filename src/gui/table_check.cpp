@@ -91,28 +91,32 @@ Json parameter_json(const ParameterEstimate& e) {
           {"next", report::next_json(e.next)}};
 }
 
-void tell(const Rock& rock, Json& answer) {
+void add_check(const Rock& rock, Json& answer) {
   const jobs::RockCheck found = jobs::check(rock);
-  answer["doubts"] = found.doubts;
-  answer["notes"] = found.notes;
+  answer["bedded"] = rock.bedded;
+  answer["doubts"] = report::findings_json(found.doubts);
+  answer["notes"] = rock.notes;
   for (const Target& t : found.evidence.targets) answer["targets"].push_back(target_json(t));
   const report::TheoryCurves theory = report::theory_curves(found.evidence.targets);
   answer["theory"] = {{"E", curve_json(theory.E)}, {"UCS", curve_json(theory.ucs)}};
-  answer["says"] = found.says;
+  answer["statements"] = report::findings_json(found.statements);
   for (const ParameterEstimate& e : found.parameters) answer["parameters"].push_back(parameter_json(e));
-  answer["advice"] = found.advice;
+  answer["models"] = found.models;
+  answer["limits"] = report::findings_json(found.limits);
+  answer["in_maps"] = found.in_maps;
   if (found.forecast) answer["forecast"] = *found.forecast;
 }
 
 }  // namespace
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
-  Json answer = {{"problems", Json::array()},   {"doubts", Json::array()}, {"notes", Json::array()},
-                 {"targets", Json::array()},    {"theory", nullptr},       {"says", Json::array()},
-                 {"parameters", Json::array()}, {"advice", Json::array()}, {"forecast", nullptr}};
+  Json answer = {{"bedded", nullptr}, {"theory", nullptr}, {"forecast", nullptr}};
+  for (const char* list :
+       {"problems", "doubts", "notes", "targets", "statements", "parameters", "models", "limits", "in_maps"})
+    answer[list] = Json::array();
   const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
   try {
-    tell(rock::parse_rock(toml, toml_file, {table, {}}), answer);
+    add_check(rock::parse_rock(toml, toml_file, {table, {}}), answer);
   } catch (const InputError& e) {
     const io::Table cells = io::parse_table(table.value_or(""), table_file);
     for (const Problem& p : e.problems())

@@ -10,6 +10,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"
+#include "report/finding_json.hpp"
 #include "python/module.hpp"
 #include "records/calibration.hpp"
 #include "records/recipe_schema.hpp"
@@ -145,6 +146,15 @@ std::vector<std::string> top_keys(const io::Schema& schema) {
   return keys;
 }
 
+/// As JSON: Python reads its kinds, cells and numbers.
+std::string findings_of(const NamedRock& r) {
+  const jobs::RockCheck found = jobs::check(r.rock);
+  report::Json all = report::findings_json(found.doubts);
+  for (const auto* more : {&found.statements, &found.limits})
+    for (const report::Json& finding : report::findings_json(*more)) all.push_back(finding);
+  return all.dump();
+}
+
 py::list rows_of_targets(const NamedRock& rock) {
   py::list rows;
   for (const Target& t : targets_of(rock.rock)) {
@@ -231,6 +241,7 @@ The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for 
       .def_property_readonly("name", [](const NamedRock& r) { return r.rock.name; })
       .def_property_readonly("notes", [](const NamedRock& r) { return r.rock.notes; })
       .def_property_readonly("targets", &rows_of_targets)
+      .def_property_readonly("findings", &findings_of)
       .def("check", [](const NamedRock& r) { return jobs::rock_check(r.rock, r.source, 0); });
 
   m.def("explain", [](const std::string& key) {

@@ -12,7 +12,7 @@ namespace phy::report {
 /// The laboratory's table as it was understood: means, scatter, specimens, one row per angle.
 std::string target_table(const std::vector<Target>& targets, int terminal_width);
 
-/// What the data determine before anything has run (calibrate/identifiability.hpp).
+/// What the data determine before anything has run (survey/identifiability.hpp).
 std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width);
 
 /// Micro-parameters in the order of the paper's Tables 1 and 2, with 95 % intervals.

@@ -1,5 +1,10 @@
 #include "report/finding_json.hpp"
 
+#include <cmath>
+#include <utility>
+
+#include "report/words.hpp"
+
 namespace phy::report {
 namespace {
 
@@ -25,7 +30,45 @@ Json tests_json(const std::vector<LabTests>& tests) {
   return list;
 }
 
+Json cell_json(const Cell& c) {
+  Json j = {{"property", to_string(c.property)},
+            {"theta [deg]", std::isfinite(c.theta) ? Json(c.theta) : Json(nullptr)}};
+  if (c.confining > 0.0) j["confining [Pa]"] = c.confining;
+  if (c.diameter > 0.0) j["diameter [m]"] = c.diameter;
+  return j;
+}
+
+Json numbers_json(const Finding& f) {
+  Json numbers = Json::object();
+  for (const Quantity& q : f.numbers) {
+    Json& number = numbers[q.name];
+    if (number.is_null())
+      number = q.value;
+    else if (number.is_array())
+      number.push_back(q.value);
+    else
+      number = Json::array({number, q.value});
+  }
+  return numbers;
+}
+
 }  // namespace
+
+Json finding_json(const Finding& f) {
+  Json cells = Json::array();
+  for (const Cell& c : f.cells) cells.push_back(cell_json(c));
+  Json j = {{"kind", to_string(f.kind)}, {"cells", std::move(cells)}, {"numbers", numbers_json(f)}};
+  if (!f.names.empty()) j["names"] = f.names;
+  if (f.advice != Advice::none) j["advice"] = to_string(f.advice);
+  j["text"] = sentence(f);
+  return j;
+}
+
+Json findings_json(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& f : findings) list.push_back(finding_json(f));
+  return list;
+}
 
 Json support_json(const Support& s) {
   if (s.basis == Basis::none) return nullptr;

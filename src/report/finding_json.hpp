@@ -2,11 +2,16 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
+#include "records/finding.hpp"
 #include "records/lab_tests.hpp"
 
 namespace phy::report {
 
 using Json = nlohmann::ordered_json;
+
+/// {kind, cells, numbers, names, advice, text}. A number that stands once for each cell is a list.
+Json finding_json(const Finding& finding);
+Json findings_json(const std::vector<Finding>& findings);
 
 /// {basis, tests, text}; null without a basis.
 Json support_json(const Support& support);

@@ -48,6 +48,7 @@ struct Wording {
   bool of_cells = false;
 };
 const std::vector<Wording>& words_of_table();
+std::string advice_of_table(Advice advice, const Finding& of);
 const std::vector<Wording>& words_of_calibration();
 
 }  // namespace phy::report

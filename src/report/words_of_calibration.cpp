@@ -484,6 +484,14 @@ std::string text(Advice advice, F of) {
       return fmt::format("search again (--effort, packing.seed) with {}", of.names.front());
     case Advice::try_model: return fmt::format("try {} (layers, --matrix)", of.names.front());
     case Advice::more_tests: return "take a larger --max-tests";
+    case Advice::check_unit:
+    case Advice::check_unit_and_column:
+    case Advice::check_pressures:
+    case Advice::check_envelope:
+    case Advice::check_lines:
+    case Advice::rename_angles:
+    case Advice::rows_of_their_own:
+    case Advice::finer_half_disc: return advice_of_table(advice, of);
     case Advice::none: break;
   }
   return "";

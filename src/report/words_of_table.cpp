@@ -1,9 +1,373 @@
+// What a table says before anything runs, in words.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
 #include "report/words.hpp"
 
 namespace phy::report {
+namespace {
+
+using F = const Finding&;
+using Kind = FindingKind;
+
+constexpr std::size_t most_named = 4;  // cells of one sentence
+
+/// The numbers of a name: one for each cell, or for each name of the finding.
+std::vector<double> each(F f, std::string_view name) {
+  std::vector<double> values;
+  for (const Quantity& q : f.numbers)
+    if (q.name == name) values.push_back(q.value);
+  return values;
+}
+
+/// "K_Ic (38 mm)", "sigma_1 (10 MPa)": of what was tested.
+std::string test_of(const Cell& c) {
+  std::string own;
+  if (c.diameter > 0.0) own = fmt::format("{:g} mm", c.diameter * 1e3);
+  if (c.confining > 0.0) own += fmt::format("{}{:.3g} MPa", own.empty() ? "" : ", ", c.confining * 1e-6);
+  return own.empty() ? to_string(c.property) : fmt::format("{} ({})", to_string(c.property), own);
+}
+/// " at 45 degrees"; a rock without bedding has no angles.
+std::string angle_of(const Cell& c) {
+  return std::isfinite(c.theta) ? fmt::format(" at {:g} degrees", c.theta) : "";
+}
+std::string name_of(const Cell& c) { return test_of(c) + angle_of(c); }
+
+/// "E is 0.023 GPa at 0 degrees and 0.015 GPa at 45 degrees": cells of one property.
+template <class Text>
+std::string values_of(F f, std::string_view name, const std::string& what, Text text) {
+  const std::vector<double> values = each(f, name);
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < std::min(values.size(), most_named); ++i)
+    items.push_back(text(f.cells[i], values[i]) + angle_of(f.cells[i]));
+  if (values.size() > most_named) items.push_back(fmt::format("{} more", values.size() - most_named));
+  return fmt::format("{} is {}", what, list_text(items));
+}
+
+/// The finding and, as a sentence of its own, what to do.
+std::string advised(F f, const std::string& said) {
+  std::string advice = text(f.advice, f);
+  if (advice.empty()) return said;
+  advice.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(advice.front())));
+  return fmt::format("{} {}.", said, advice);
+}
+
+// ---- doubts
+
+std::string unusual_value(F f) {
+  const Property p = f.cells.front().property;
+  const ShownUnit unit = shown_unit(p);
+  const auto value = [&](const Cell&, double v) { return value_text(p, v); };
+  return advised(f, fmt::format("{}; hardly any rock lies outside {:g} to {:g} {}.",
+                                values_of(f, "value", to_string(p), value), f.number("least") * unit.factor,
+                                f.number("most") * unit.factor, unit.name));
+}
+
+std::string ratio_text(const Cell&, double ratio) { return fmt::format("{:.3g}", ratio); }
+
+std::string modulus_ratio(F f) {
+  return advised(f, values_of(f, "ratio", "E/UCS", ratio_text) +
+                        "; most rocks have 200 to 500, hardly any less than 80 or more than 2000 (Deere & "
+                        "Miller 1966).");
+}
+
+std::string unusual_tension(F f) {
+  const auto ratio = [](const Cell& c, double v) {
+    return fmt::format("{} {:.2g}", to_string(c.property), v);
+  };
+  return advised(f,
+                 values_of(f, "ratio", "Tensile strength over UCS", ratio) + "; most rocks have about 0.1.");
+}
+
+std::string strength_falls(F f) {
+  const double factor = 1e-6;
+  return advised(
+      f,
+      fmt::format("sigma_1 - sigma_3{} falls from {} MPa under {:.3g} MPa to {} MPa under {:.3g} MPa; "
+                  "confinement weakens no rock.",
+                  angle_of(f.cells[1]), number_text(f.number("from") * factor), f.cells[0].confining * factor,
+                  number_text(f.number("to") * factor), f.cells[1].confining * factor));
+}
+
+std::string off_envelope(F f) {
+  return advised(
+      f, fmt::format("{} is {}, but the line through its strengths under {:.3g} to {:.3g} MPa gives {}.",
+                     name_of(f.cells[0]), value_text(Property::ucs, f.number("laboratory")),
+                     f.number("from") * 1e-6, f.number("to") * 1e-6,
+                     value_text(Property::ucs, f.number("envelope"))));
+}
+
+std::string narrow_angles(F f) {
+  return advised(
+      f, fmt::format("All angles lie between {:g} and {:g} degrees: they say little about the layers.",
+                     f.number("from"), f.number("to")));
+}
+
+std::string replicates_apart(F f) {
+  const std::vector<double> lines = each(f, "line");
+  return advised(f, fmt::format("{} of lines {:.0f} and {:.0f} differs by a factor of {:.2g}.",
+                                name_of(f.cells[0]), lines[0], lines[1], f.number("factor")));
+}
+
+std::string wide_scatter(F f) {
+  return advised(
+      f, fmt::format("The SD of {} (line {:.0f}) is {:.2g} of the value; hardly any rock scatters so much.",
+                     name_of(f.cells[0]), f.number("line"), f.number("share")));
+}
+
+std::string outlying_specimen(F f) {
+  const Property p = f.cells[0].property;
+  return advised(
+      f,
+      fmt::format("Outlier? Line {:.0f}: {} is {}, where {:.0f} others have a mean of {}. Chance does so in "
+                  "{:.1g} % of tables (t = {:.1f}).",
+                  f.number("line"), name_of(f.cells[0]), value_text(p, f.number("value")), f.number("others"),
+                  value_text(p, f.number("mean")), 100.0 * f.number("chance"), f.number("t")));
+}
+
+std::string outlying_cell(F f) {
+  return advised(
+      f,
+      fmt::format("Outlier? {} is {}, {:+.0f} % off what the other angles predict ({:.1f} standard errors): "
+                  "the nearer of a straight line and Jaeger's plane.",
+                  name_of(f.cells[0]), value_text(Property::ucs, f.number("value")), 100.0 * f.number("off"),
+                  f.number("errors")));
+}
+
+// ---- the sense of the angles
+
+/// "UCS by 9 instead of 24 % and E by 3 instead of 19 %": what planes miss by one reading, and by the other.
+std::string misses(F f, bool exchanged, const char* here, const char* other) {
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < f.names.size(); ++i)
+    if ((each(f, "exchanged")[i] > 0.0) == exchanged)
+      items.push_back(fmt::format("{} by {:.0f} instead of {:.0f} %", f.names[i], 100.0 * each(f, here)[i],
+                                  100.0 * each(f, other)[i]));
+  return list_text(items);
+}
+
+std::string columns(F f, bool exchanged) {
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < f.names.size(); ++i)
+    if ((each(f, "exchanged")[i] > 0.0) == exchanged) items.push_back(f.names[i]);
+  return list_text(items);
+}
+
+std::string angles_exchanged(F f) {
+  const bool beta = f.number("from_load") > 0.0;
+  return advised(f, fmt::format("These angles look like {}. With {} = 90 - angle, planes miss {}.",
+                                beta ? "theta" : "beta", beta ? "beta" : "theta",
+                                misses(f, true, "complement", "as_read")));
+}
+
+std::string columns_exchanged(F f) {
+  const bool beta = f.number("from_load") > 0.0;
+  const char *load = "the load", *horizontal = "the horizontal";
+  return advised(
+      f, fmt::format(
+             "It seems that {} counts from {}, but {} from {}. With 90 - angle planes miss {}. As written "
+             "they miss {}.",
+             columns(f, true), beta ? horizontal : load, columns(f, false), beta ? load : horizontal,
+             misses(f, true, "complement", "as_read"), misses(f, false, "as_read", "complement")));
+}
+
+// ---- closed forms
+
+/// "50.0 +- 1.2 GPa"
+std::string stiffness(F f, const char* name, const char* error) {
+  const std::string spread =
+      f.has(error) && std::isfinite(f.number(error)) ? fmt::format(" +- {:.2g}", f.number(error) * 1e-9) : "";
+  return fmt::format("{:.3g}{} GPa", f.number(name) * 1e-9, spread);
+}
+
+std::string eq1(F f) {
+  std::string text =
+      fmt::format("Eq. 1 through E: E = {}, K_n delta = {}, K_s delta = {}, {}.", stiffness(f, "E", "se_E"),
+                  stiffness(f, "K_n_delta", "se_K_n_delta"), stiffness(f, "K_s_delta", "se_K_s_delta"),
+                  f.has("R2") ? fmt::format("R2 = {:.3f}", f.number("R2"))
+                              : "through three angles exactly: R2 says nothing");
+  if (f.has("spacing")) {
+    const double delta = f.number("spacing");
+    text += fmt::format(" With planes every {:.3g} mm, K_n = {:.0f} and K_s = {:.0f} GPa/m.", delta * 1e3,
+                        f.number("K_n_delta") / delta * 1e-9, f.number("K_s_delta") / delta * 1e-9);
+  }
+  if (f.kind == Kind::eq1_incremental) return text + " Incremental type: E grows from 0 to 90 degrees.";
+  return text + fmt::format(" Shoulder type: E is least at {:.0f} degrees, {}.", f.number("theta"),
+                            value_text(Property::E, f.number("least_E")));
+}
+
+std::string jaeger_plane(F f) {
+  return fmt::format(
+      "Jaeger's plane of weakness through UCS: c_w = {}, phi_w = {:.0f} degrees, R2 = {:.2f}. It is weakest "
+      "at {:.0f} "
+      "degrees, {}, below shoulders of {}, and misses UCS by {:.0f} % (rms).",
+      value_text(Property::ucs, f.number("c_w")), f.number("phi_w"), f.number("R2"), f.number("theta"),
+      value_text(Property::ucs, f.number("least")), value_text(Property::ucs, f.number("shoulders")),
+      100.0 * f.number("rms"));
+}
+
+std::string anisotropy(F f) {
+  const std::vector<double> ratios = each(f, "ratio");
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < ratios.size(); ++i)
+    items.push_back(fmt::format("{} {:.2f} ({:g} over {:g} degrees)", to_string(f.cells[2 * i].property),
+                                ratios[i], f.cells[2 * i].theta, f.cells[2 * i + 1].theta));
+  return "Largest value over least: " + list_text(items) + ".";
+}
+
+// ---- limits of the table
+
+std::string scatter_assumed(F f) {
+  const bool nu = f.cells.front().property == Property::nu;
+  const double factor = nu ? 1.0 : 100.0;
+  const std::string least = fmt::format("{:.2g}", factor * f.number("least")),
+                    most = fmt::format("{:.2g}", factor * f.number("most"));
+  return fmt::format(
+      "{}: the table says little of the scatter of {} of {:.0f} cells. Single specimens are taken to "
+      "scatter by {}{}.",
+      to_string(f.cells.front().property), f.cells.size(), f.number("of"),
+      least == most ? least : least + " to " + most, nu ? "" : " %");
+}
+
+/// "nu at 0 degrees is 0.150 (0.075 wanted, 7.5 standard errors)"
+std::string misfits(F f) {
+  const std::vector<double> laboratory = each(f, "laboratory"), wanted = each(f, "wanted"),
+                            errors = each(f, "errors");
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < std::min(f.cells.size(), most_named); ++i) {
+    const Property p = f.cells[i].property;
+    items.push_back(fmt::format("{}, {} in place of {} ({:.1f} standard errors)", name_of(f.cells[i]),
+                                value_text(p, laboratory[i]), value_text(p, wanted[i]), errors[i]));
+  }
+  if (f.cells.size() > most_named) items.push_back(fmt::format("{} more", f.cells.size() - most_named));
+  return fmt::format("{}", fmt::join(items, "; "));
+}
+
+/// At which part of the curve the moduli are read, where that is no elastic body's.
+std::string reading_of(F f) {
+  return f.names.empty() ? ""
+                         : fmt::format(" Read as {} (E_is), E and nu need not be those of an elastic body.",
+                                       f.names.front());
+}
+
+std::string no_layered_body(F f) {
+  const std::string chi = fmt::format(
+      "No layered elastic body has this E{} within the errors: chi-square is {:.0f}, and above {:.0f} in 1 % "
+      "of tables.",
+      f.advice == Advice::check_nu ? " and nu" : "", f.number("chi_square"), f.number("limit"));
+  const std::string cells = f.kind == Kind::no_layered_body ? "Farthest from the nearest body: "
+                            : f.cells.size() > 1            ? "By the other cells the odd one out is any of: "
+                                                            : "By the other cells the odd one out is ";
+  return advised(f, fmt::format("{} {}{}.{}", chi, cells, misfits(f), reading_of(f)));
+}
+
+std::string no_planes(F f) {
+  return fmt::format(
+      "A layered elastic body has this E and nu, but no isotropic rock with planes: {}.{} Joints in place of "
+      "bonds "
+      "may come nearer.",
+      misfits(f), reading_of(f));
+}
+
+std::string stiffer(F f) {
+  return advised(
+      f, fmt::format("E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains without "
+                     "layers change by 2 % or less (to 20 MPa), so the model will lie between.",
+                     100.0 * f.number("change"), f.cells[0].confining * 1e-6, f.cells[1].confining * 1e-6));
+}
+
+std::string coarse_half_disc(F f) {
+  return advised(
+      f, fmt::format(
+             "K_Ic: {:.0f} grains in the radius of the half disc ({:.3g} mm) are too few. Below {:g} the "
+             "notch is blunt and K_Ic too low.",
+             f.number("grains"), f.number("radius") * 1e3, f.number("fewest")));
+}
+
+}  // namespace
+
+std::string advice_of_table(Advice advice, F of) {
+  switch (advice) {
+    case Advice::check_unit: return "check the unit in the header";
+    case Advice::check_unit_and_column: return "check the unit and the column";
+    case Advice::check_pressures: return "check pressures and angles";
+    case Advice::check_envelope: return "check that c and phi are of this angle, and of peaks";
+    case Advice::check_lines: return "check for a typing error, or another rock";
+    case Advice::rename_angles:
+      return fmt::format("rename the column to {}, or keep it and ignore this",
+                         of.number("from_load") > 0.0 ? "theta" : "beta");
+    case Advice::rows_of_their_own:
+      return fmt::format("give {} rows with 90 - angle, or keep the table and ignore this",
+                         columns(of, true));
+    case Advice::finer_half_disc:
+      return fmt::format("take grains of {:g} mm, or a larger half disc", of.number("wanted") * 1e3);
+    default: return "";
+  }
+}
 
 const std::vector<Wording>& words_of_table() {
-  static const std::vector<Wording> list = {};
+  static const std::vector<Wording> list = {
+      {Kind::unusual_value, unusual_value},
+      {Kind::unusual_modulus_ratio, modulus_ratio},
+      {Kind::unusual_tension, unusual_tension},
+      {Kind::strength_falls, strength_falls},
+      {Kind::off_envelope, off_envelope},
+      {Kind::narrow_angles, narrow_angles},
+      {Kind::replicates_apart, replicates_apart},
+      {Kind::wide_scatter, wide_scatter},
+      {Kind::outlying_specimen, outlying_specimen},
+      {Kind::outlying_cell, outlying_cell},
+      {Kind::angles_exchanged, angles_exchanged},
+      {Kind::columns_exchanged, columns_exchanged},
+      {Kind::along_bedding_taken,
+       [](F f) {
+         return cells_text(f.cells) +
+                ": taken for the rock along its bedding, which the conversion of plane strain needs. The "
+                "table has "
+                "no value nearer to 90 degrees.";
+       }},
+      {Kind::not_converted,
+       [](F f) {
+         return fmt::format("{}: not converted from plane strain, for want of E at the same angle.",
+                            std::isfinite(f.cells[0].theta) ? cells_text(f.cells) : test_of(f.cells[0]));
+       }},
+      {Kind::eq1_shoulder, eq1},
+      {Kind::eq1_incremental, eq1},
+      {Kind::table_dips,
+       [](F f) {
+         return fmt::format("E of the table, however, is least at {:g} degrees.", f.cells[0].theta);
+       }},
+      {Kind::eq1_none, [](F f) { return fmt::format("Eq. 1 through E: none, {}.", f.names.front()); }},
+      {Kind::jaeger_plane, jaeger_plane},
+      {Kind::jaeger_none,
+       [](F f) { return fmt::format("Jaeger's plane of weakness through UCS: none, {}.", f.names.front()); }},
+      {Kind::no_plane_shows,
+       [](F f) { return fmt::format("UCS shows no plane of weakness (R2 = {:.2f}).", f.number("R2")); }},
+      {Kind::weakest_off_plane,
+       [](F f) {
+         return fmt::format(
+             "The table is weakest at {:g} degrees, where no single plane of weakness has its least.",
+             f.cells[0].theta);
+       }},
+      {Kind::anisotropy, anisotropy},
+      {Kind::scatter_assumed, scatter_assumed},
+      {Kind::packings_not_counted,
+       [](F) {
+         return std::string(
+             "Expected intervals count the laboratory's scatter alone; the difference between packings of "
+             "the "
+             "model comes on top.");
+       }},
+      {Kind::no_layered_body, no_layered_body},
+      {Kind::one_cell_of_no_body, no_layered_body},
+      {Kind::no_planes_in_isotropic_rock, no_planes},
+      {Kind::stiffer_under_confinement, stiffer},
+      {Kind::coarse_half_disc, coarse_half_disc},
+  };
   return list;
 }
 

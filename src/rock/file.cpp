@@ -15,7 +15,6 @@
 #include "io/file_kinds.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
-#include "records/rock_warnings.hpp"
 #include "rock/columns.hpp"
 #include "rock/table.hpp"
 
@@ -144,9 +143,6 @@ class RockReader {
     read_table();
     // After everything is read: the checks compare model, size, discs and table.
     if (has_model) check_model(), check_discs();
-    // Warnings are about data that can be used. With problems left they would be noise.
-    if (problems_.empty())
-      for (std::string& warning : warnings_about(rock_)) rock_.notes.push_back(std::move(warning));
     file_.check();
   }
 

@@ -452,12 +452,6 @@ TEST_F(RockFile, IndentedCommentsAreCommentsAndUtf16IsNamed) {
               testing::ElementsAre(AllOf(HasSubstr("UTF-16"), HasSubstr("save it anew as UTF-8"))));
 }
 
-TEST_F(RockFile, DoubtfulValuesAreReadAndSaid) {
-  EXPECT_THAT(rock("theta [deg],E [GPa],UCS [MPa]\n0,110,23\n45,20,60\n90,59,138\n").notes,
-              Contains(HasSubstr("E/UCS(0) = 4783")));
-  EXPECT_THAT(rock(good).notes, Each(testing::Not(HasSubstr("look again"))));
-}
-
 TEST(TableText, QuotedCellsMayHoldTheDelimiter) {
   const io::Table t = io::parse_table("a,b\n\"x, \"\"y\"\"\",2\n# comment\n\n", "t");
   ASSERT_THAT(t.rows, SizeIs(1));

@@ -28,7 +28,7 @@ constexpr double most_radians = 1.6;      // pi/2, rounded up
 constexpr double least_over_sides = 1.1;  // sigma_1 over sigma_3; a friction angle of 3 degrees has as much
 
 /// What can be computed with at all. Values that are merely doubtful are a matter of
-/// records/rock_warnings.hpp.
+/// survey/unusual.hpp.
 using Range = PossibleValues;
 Range range_of(const Head& h) {
   switch (h.kind) {

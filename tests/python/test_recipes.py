@@ -109,6 +109,14 @@ class Rocks(InFolder):
         ucs = {t.theta: t.mean for t in first.targets if t.property == "UCS"}
         self.assertEqual(ucs, {0.0: 105e6, 30.0: 60e6, 60.0: 45e6, 90.0: 128e6})
 
+    def test_findings_have_kinds_cells_and_numbers(self):
+        write(self.at("units.csv"), "theta [deg],E [GPa],UCS [MPa]\n0,0.023,105\n45,20,60\n90,40,130\n")
+        found = {f["kind"]: f for f in phyllite.Rock.from_csv(self.at("units.csv")).findings}
+        self.assertEqual(found["unusual_value"]["cells"], [{"property": "E", "theta [deg]": 0.0}])
+        self.assertAlmostEqual(found["unusual_value"]["numbers"]["value"], 0.023e9)
+        self.assertEqual(found["unusual_value"]["advice"], "check_unit")
+        self.assertIn("anisotropy", found)
+
     def test_targets_are_rows_of_a_frame(self):
         rock = phyllite.Rock.from_toml(self.rock_file())
         target = rock.targets[0]

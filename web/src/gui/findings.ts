@@ -4,7 +4,7 @@ import { scales, unitOf } from "../units";
 import { measured } from "./charts";
 import { argument, command, counted, keyed, plainly } from "./controls";
 import { Figures } from "./figures";
-import { Checked, Target, isUnbedded } from "./server";
+import { Checked, Finding, Target, isUnbedded } from "./server";
 
 export interface FindingsView {
   node: HTMLElement;
@@ -16,6 +16,8 @@ export interface FindingsView {
 const title = (t: Target) => (scales[t.property]?.[1] ?? t.property) + (t.confining ? `, ${+(1e-6 * t.confining).toPrecision(3)} MPa` : "") + (t.diameter ? `, ${+(1e3 * t.diameter).toPrecision(3)} mm` : "");
 
 const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, plainly(s)))) : null);
+
+const texts = (findings: Finding[]) => findings.map((f) => f.text);
 
 const assumed = "bars: 95 % of the mean; where one specimen was tested its scatter is assumed";
 
@@ -61,6 +63,7 @@ export function findingsView(rock: string): FindingsView {
       busy.textContent = "";
       state.textContent = says;
       const targets = checked.targets ?? [];
+      const remarks = [...checked.models, ...texts(checked.limits), ...checked.in_maps];
       const bedded = !isUnbedded(checked);
       const drawn = bedded ? targets : [];
       charts.show(
@@ -74,14 +77,14 @@ export function findingsView(rock: string): FindingsView {
       legend.mean.hidden = drawn.length === 0;
       legend.specimens.hidden = !drawn.some((t) => (t.specimens ?? []).length > 0);
       legend.theory.hidden = !drawn.some((t) => (checked.theory?.[t.property]?.theta ?? []).length > 0);
-      keyed(doubts, checked.doubts, () => checked.doubts.map((d) => h("p", { class: "notice" }, d)));
+      keyed(doubts, checked.doubts, () => checked.doubts.map((d) => h("p", { class: "notice" }, d.text)));
       keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, plainly(checked.forecast))]);
       keyed(words, checked, () => [
         !bedded && targets.length > 0 && numbers(targets, false),
-        list(checked.says),
+        list(texts(checked.statements)),
         checked.parameters && checked.parameters.length > 0 && h("h3", {}, "What the data determine"),
         determined(checked),
-        checked.advice && checked.advice.length > 0 && fold(counted(checked.advice.length, "remark"), list(checked.advice)),
+        remarks.length > 0 && fold(counted(remarks.length, "remark"), list(remarks)),
         bedded && targets.length > 0 && fold("Means of the table", numbers(targets, true)),
         checked.notes.length > 0 && h("h3", {}, "How the files were understood"),
         list(checked.notes, "muted"),

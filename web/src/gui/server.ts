@@ -132,20 +132,31 @@ export interface Curve {
   value: number[];
 }
 
+/** What is found, as data; the text is for people. */
+export interface Finding {
+  kind: string;
+  cells: { property: string; "theta [deg]": number | null }[];
+  numbers: Record<string, number | number[]>;
+  text: string;
+}
+
 export interface Checked {
   problems: Problem[];
-  doubts: string[];
+  bedded: boolean | null; // null: with problems
+  doubts: Finding[];
   notes: string[];
   targets: Target[] | null;
   theory: Record<string, Curve> | null;
-  says: string[] | null;
+  statements: Finding[];
   parameters: { symbol: string; determined: boolean; interval: string | null; rests_on: { text: string } | null; next: { text: string } | null }[] | null;
-  advice: string[] | null;
+  models: string[];
+  limits: Finding[];
+  in_maps: string[];
   forecast: string | null;
 }
 
 /** A rock without layers: nothing of it is said over an angle. */
-export const isUnbedded = (checked: Checked) => checked.notes.some((n) => n.includes("a rock without bedding"));
+export const isUnbedded = (checked: Checked) => checked.bedded === false;
 
 /** The program has said no; its words are for the user. */
 export class Refused extends Error {

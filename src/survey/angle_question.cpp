@@ -1,6 +1,4 @@
-#include "calibrate/angle_question.hpp"
-
-#include <fmt/format.h>
+#include "survey/angle_question.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +9,7 @@
 #include "base/exact_math.hpp"
 #include "theory/jaeger.hpp"
 
-namespace phy::calibrate {
+namespace phy::survey {
 namespace {
 
 constexpr double tables_exchanged = 0.1;  // share of tables whose angles are the complements
@@ -165,6 +163,15 @@ double bounded(double d, double e) {
   return log_of(d) - d - log_of(-d);
 }
 
+/// What one property says.
+struct AngleEvidence {
+  Property property = Property::E;
+  double log_odds = 0.0;    ///< that its angles are the complements of theta, before any prior
+  double as_read = 0.0;     ///< root mean square miss of the nearest curve, relative
+  double complement = 0.0;  ///< the same with 90 - angle
+  bool exchanged = false;   ///< by the likeliest reading of the table
+};
+
 AngleEvidence evidence_of(Property p, const Sense& sense, const std::vector<Target>& targets) {
   AngleEvidence found;
   found.property = p;
@@ -202,79 +209,37 @@ void mark_exchanged(std::vector<AngleEvidence>& properties) {
   for (int i = 0; i < n; ++i) properties[static_cast<std::size_t>(i)].exchanged = (best >> i & 1U) != 0;
 }
 
+Finding finding_of(const std::vector<AngleEvidence>& properties, const std::vector<Target>& targets,
+                   bool from_load) {
+  const bool all =
+      std::all_of(properties.begin(), properties.end(), [](const AngleEvidence& e) { return e.exchanged; });
+  Finding f{all ? FindingKind::angles_exchanged : FindingKind::columns_exchanged};
+  f.numbers.push_back({"from_load", from_load ? 1.0 : 0.0});
+  for (const AngleEvidence& e : properties) {
+    f.names.emplace_back(to_string(e.property));
+    f.numbers.insert(
+        f.numbers.end(),
+        {{"exchanged", e.exchanged ? 1.0 : 0.0}, {"as_read", e.as_read}, {"complement", e.complement}});
+    if (e.exchanged)
+      for (const Target& t : of_property(targets, e.property)) f.cells.push_back(cell_of(t));
+  }
+  f.advice = all ? Advice::rename_angles : Advice::rows_of_their_own;
+  return f;
+}
+
 }  // namespace
 
-std::optional<AngleQuestion> angle_question(const std::vector<Target>& targets) {
-  AngleQuestion question;
+std::vector<Finding> angle_question(const std::vector<Target>& targets, bool from_load) {
+  std::vector<AngleEvidence> properties;
   const std::vector<Target> some = least_confined(targets);
   for (const auto& [property, sense] : senses())
     if (const std::vector<Target> cells = of_property(some, property); std::any_of(
             cells.begin(), cells.end(), [&](const Target& t) { return t.theta != cells.front().theta; }))
-      question.properties.push_back(evidence_of(property, sense, cells));
-  mark_exchanged(question.properties);
-  if (std::none_of(question.properties.begin(), question.properties.end(),
-                   [](const AngleEvidence& e) { return e.exchanged; }))
-    return std::nullopt;
-  return question;
+      properties.push_back(evidence_of(property, sense, cells));
+  mark_exchanged(properties);
+  if (std::none_of(properties.begin(), properties.end(), [](const AngleEvidence& e) { return e.exchanged; }))
+    return {};
+  return {finding_of(properties, some, from_load)};
 }
 
-namespace {
-
-/// "E", "E and UCS", "E, UCS and BTS".
-std::string list_in_words(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return text;
-}
-
-std::string names_of(const std::vector<AngleEvidence>& some) {
-  std::vector<std::string> names;
-  for (const AngleEvidence& e : some) names.emplace_back(to_string(e.property));
-  return list_in_words(names);
-}
-
-/// "UCS by 9 instead of 24 % and E by 3 instead of 19 %": what planes miss by one reading, and by the other.
-std::string misses_in_words(const std::vector<AngleEvidence>& some, bool complement) {
-  std::vector<std::string> misses;
-  for (const AngleEvidence& e : some)
-    misses.push_back(fmt::format("{} by {:.0f} instead of {:.0f} %", to_string(e.property),
-                                 100.0 * (complement ? e.complement : e.as_read),
-                                 100.0 * (complement ? e.as_read : e.complement)));
-  return list_in_words(misses);
-}
-
-/// "UCS seems to be counted from the load, E and BTS from the horizontal ..."
-std::string text_of_some(const std::vector<AngleEvidence>& apart, const std::vector<AngleEvidence>& others,
-                         bool beta) {
-  const std::string names = names_of(apart);
-  const bool one = apart.size() == 1;
-  return fmt::format(
-      "{} {} to be counted from {}, {} from {}. With 90 - angle planes miss {}. As written they miss {}. "
-      "Give {} rows "
-      "of {} own with 90 - angle, or keep the table and ignore this.",
-      names, one ? "seems" : "seem", beta ? "the horizontal" : "the load", names_of(others),
-      beta ? "the load" : "the horizontal", misses_in_words(apart, true), misses_in_words(others, false),
-      names, one ? "its" : "their");
-}
-
-}  // namespace
-
-bool AngleQuestion::of_whole_table() const {
-  return std::all_of(properties.begin(), properties.end(),
-                     [](const AngleEvidence& e) { return e.exchanged; });
-}
-
-std::string text_of(const AngleQuestion& question, bool beta) {
-  if (question.of_whole_table())
-    return fmt::format(
-        "These angles look like {0}. With {1} = 90 - angle, planes miss {2}. Rename the column to {0}, or "
-        "keep "
-        "it and ignore this.",
-        beta ? "theta" : "beta", beta ? "beta" : "theta", misses_in_words(question.properties, true));
-  std::vector<AngleEvidence> apart, others;
-  for (const AngleEvidence& e : question.properties) (e.exchanged ? apart : others).push_back(e);
-  return text_of_some(apart, others, beta);
-}
-
-}  // namespace phy::calibrate
+}  // namespace phy::survey

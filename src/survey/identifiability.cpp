@@ -1,18 +1,23 @@
-#include "calibrate/identifiability.hpp"
-
-#include <fmt/format.h>
+#include "survey/identifiability.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/nan.hpp"
 #include "base/stats.hpp"
-#include "calibrate/elastic_limits.hpp"
 #include "calibrate/toughness.hpp"
+#include "survey/elastic_limits.hpp"
 
-namespace phy::calibrate {
+namespace phy::survey {
 namespace {
+
+using calibrate::ElasticParameter;
+using calibrate::Estimate;
+using calibrate::Evidence;
+using calibrate::Rule;
+using calibrate::StrengthParameter;
 
 constexpr double no_joint = 1e9;  // stiffness of a rock without joints, in units of E
 
@@ -104,22 +109,27 @@ Estimate identified_strength(const StrengthParameter& p, const Evidence& evidenc
   return e;
 }
 
-/// What is taken for the scatter of a property that the table tells little of; empty: it tells.
-std::string assumed_scatter(const std::vector<Target>& targets, Property property) {
-  double least = 0.0, most = 0.0;
-  std::size_t n = 0;
-  const std::vector<Target> some = of_property(targets, property);
-  for (const Target& t : some) {
-    if (!t.sd_assumed) continue;
-    const double sd = property == Property::nu ? t.sd : 100.0 * t.sd / t.mean;
-    least = n == 0 ? sd : std::min(least, sd), most = std::max(most, sd), ++n;
+/// What is taken for the scatter of cells of which the table says little, by property.
+void report_assumed_scatter(const std::vector<Target>& targets, std::vector<Finding>& found) {
+  for (int i = 0; i < n_properties; ++i) {
+    const auto property = static_cast<Property>(i);
+    const std::vector<Target> some = of_property(targets, property);
+    Finding f{FindingKind::scatter_assumed};
+    double least = nan, most = nan;
+    for (const Target& t : some) {
+      if (!t.sd_assumed) continue;
+      const double sd = property == Property::nu ? t.sd : t.sd / t.mean;
+      least = std::fmin(least, sd), most = std::fmax(most, sd);
+      f.cells.push_back(cell_of(t));
+    }
+    if (f.cells.empty()) continue;
+    f.numbers = {{"least", least}, {"most", most}, {"of", static_cast<double>(some.size())}};
+    found.push_back(std::move(f));
   }
-  if (n == 0) return "";
-  const std::string from = fmt::format("{:.2g}", least), to = fmt::format("{:.2g}", most);
-  return fmt::format(
-      "{}: the table tells little of the scatter of {} of {} cells; {}{} is taken for single specimens",
-      to_string(property), n, some.size(), from == to ? from : from + " to " + to,
-      property == Property::nu ? "" : " %");
+}
+
+void append(std::vector<Finding>& found, const std::vector<Finding>& more) {
+  found.insert(found.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -135,32 +145,27 @@ std::vector<Estimate> identifiability(const Evidence& evidence) {
   return estimates;
 }
 
-std::vector<std::string> advice(const Evidence& evidence) {
-  std::vector<std::string> lines;
-  for (int i = 0; i < n_properties; ++i)
-    if (std::string line = assumed_scatter(evidence.targets, static_cast<Property>(i)); !line.empty())
-      lines.push_back(std::move(line));
-  if (!evidence.has(Property::E))
-    lines.emplace_back("no E: the elastic parameters stay those of the recipe");
-  else
-    lines.emplace_back(
-        "expected intervals count the scatter of the laboratory alone; what packings of the model differ by "
-        "comes on top");
-  if (!evidence.fits_strength())
-    lines.emplace_back("no strength in compression: none is fitted, they stay those of the recipe");
+std::vector<Finding> limits_of_table(const Evidence& evidence) {
+  const ModulusReading E_is = evidence.rock.E_is;
+  std::vector<Finding> found;
+  report_assumed_scatter(evidence.targets, found);
+  // packings of the model differ too, which comes on top of what the laboratory's scatter lets expect
+  const bool moduli = evidence.has(Property::E);
+  found.push_back({moduli ? FindingKind::packings_not_counted : FindingKind::no_modulus});
   if (evidence.fits_strength())
-    for (std::string& line : coarse_half_discs(evidence)) lines.push_back(std::move(line));
+    append(found, calibrate::coarse_half_discs(evidence));
+  else
+    found.push_back({FindingKind::no_compression});
   if (!evidence.rock.bedded) {
-    if (std::string line = confinement_limit(evidence.targets, evidence.rock.E_is); !line.empty())
-      lines.push_back(std::move(line));
-    return lines;
+    append(found, confinement_limits(evidence.targets, E_is));
+    return found;
   }
-  if (const std::string limit = elastic_limit(evidence.targets); !limit.empty())
-    lines.push_back(evidence.rock.E_is == ModulusReading::small_strain
-                        ? limit
-                        : fmt::format("{}. As {} (E_is) E and nu need not be those of an elastic body", limit,
-                                      to_string(evidence.rock.E_is)));
-  return lines;
+  for (Finding f : elastic_limits(evidence.targets)) {
+    // on the way to its strength a rock need not be an elastic body
+    if (E_is != ModulusReading::small_strain) f.names = {to_string(E_is)};
+    found.push_back(std::move(f));
+  }
+  return found;
 }
 
-}  // namespace phy::calibrate
+}  // namespace phy::survey

@@ -1,6 +1,4 @@
-#include "calibrate/outliers.hpp"
-
-#include <fmt/format.h>
+#include "survey/outliers.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
@@ -12,9 +10,10 @@
 #include "base/nan.hpp"
 #include "calibrate/margin.hpp"
 #include "records/calibration.hpp"
+#include "survey/cells.hpp"
 #include "theory/jaeger_fit.hpp"
 
-namespace phy::calibrate {
+namespace phy::survey {
 namespace {
 
 constexpr double level = 0.05;         // of a whole table
@@ -23,9 +22,10 @@ constexpr std::size_t least_cell = 3;  // of two specimens either may be the odd
 constexpr double prediction = 0.12;    // that UCS of the maps deviate from the prediction by their neighbours
 constexpr double many_errors = 3.0;
 
-using Cell = std::vector<const RockReading*>;
+/// The specimens of one cell.
+using Specimens = std::vector<const RockReading*>;
 
-double mean_of(const Cell& cell) {
+double mean_of(const Specimens& cell) {
   double sum = 0.0;
   for (const RockReading* r : cell) sum += r->value;
   return sum / static_cast<double>(cell.size());
@@ -34,12 +34,12 @@ double mean_of(const Cell& cell) {
 double unit_of(Property p, double mean) { return p == Property::nu ? 1.0 : mean; }
 
 /// Cells of single specimens, by property.
-std::map<Property, std::vector<Cell>> cells_of(const Rock& rock) {
-  std::map<std::tuple<Property, double, double, double>, Cell> found;
+std::map<Property, std::vector<Specimens>> cells_of(const Rock& rock) {
+  std::map<std::tuple<Property, double, double, double>, Specimens> all;
   for (const RockReading& r : rock.readings)
-    if (r.n == 1 && !r.derived) found[{r.property, r.theta, r.diameter, r.confining}].push_back(&r);
-  std::map<Property, std::vector<Cell>> cells;
-  for (auto& [key, cell] : found)
+    if (r.n == 1 && !r.derived) all[{r.property, r.theta, r.diameter, r.confining}].push_back(&r);
+  std::map<Property, std::vector<Specimens>> cells;
+  for (auto& [key, cell] : all)
     if (cell.size() > 1) cells[std::get<0>(key)].push_back(std::move(cell));
   return cells;
 }
@@ -47,7 +47,7 @@ std::map<Property, std::vector<Cell>> cells_of(const Rock& rock) {
 /// The specimen of a property that lies farthest out.
 struct Suspect {
   const RockReading* reading = nullptr;
-  Cell* cell = nullptr;
+  Specimens* cell = nullptr;
   double t = 0.0;
   int degrees = 0;
   /// Of a |t| as large by chance, in one specimen.
@@ -57,10 +57,10 @@ struct Suspect {
   }
 };
 
-Suspect farthest_out(Property p, std::vector<Cell>& cells) {
+Suspect farthest_out(Property p, std::vector<Specimens>& cells) {
   double squares = 0.0;
   int degrees = -1;  // one is lost with the specimen that is looked at
-  for (const Cell& cell : cells) {
+  for (const Specimens& cell : cells) {
     const double mean = mean_of(cell);
     for (const RockReading* r : cell) squares += std::pow((r->value - mean) / unit_of(p, mean), 2.0);
     degrees += static_cast<int>(cell.size()) - 1;
@@ -69,7 +69,7 @@ Suspect farthest_out(Property p, std::vector<Cell>& cells) {
   Suspect worst;
   worst.degrees = degrees;
   if (degrees < least_degrees) return worst;
-  for (Cell& cell : cells) {
+  for (Specimens& cell : cells) {
     if (cell.size() < least_cell) continue;
     const double mean = mean_of(cell), share = 1.0 - 1.0 / static_cast<double>(cell.size());
     for (const RockReading* r : cell) {
@@ -83,34 +83,28 @@ Suspect farthest_out(Property p, std::vector<Cell>& cells) {
   return worst;
 }
 
-std::string name_of(const Rock& rock, const RockReading& r) {
-  return rock.bedded ? fmt::format("{}({:g})", to_string(r.property), r.theta) : to_string(r.property);
-}
-
-std::string value_of(Property p, double value) {
-  const ShownUnit unit = shown_unit(p);
-  return fmt::format("{:.3g}{}{}", value * unit.factor, *unit.name != 0 ? " " : "", unit.name);
-}
-
-std::string accusation(const Rock& rock, const Suspect& s, double mean, double chance) {
-  const RockReading& r = *s.reading;
-  return fmt::format(
-      "outlier? line {}: {} = {} among {} others with a mean of {} (t = {:.1f} by the scatter inside all "
-      "cells "
-      "of {}; chance shows one like it in {:.1g} % of tables)",
-      r.line, name_of(rock, r), value_of(r.property, r.value), s.cell->size(), value_of(r.property, mean),
-      s.t, to_string(r.property), 100.0 * chance);
+Finding finding_of(const Rock& rock, const Suspect& s, double mean, double chance) {
+  return {FindingKind::outlying_specimen,
+          {cell_in(rock, *s.reading)},
+          {{"value", s.reading->value},
+           {"mean", mean},
+           {"others", double(s.cell->size())},
+           {"t", s.t},
+           {"chance", chance},
+           {"line", double(s.reading->line)}},
+          {},
+          Advice::check_lines};
 }
 
 }  // namespace
 
-std::vector<std::string> outlying_specimens(const Rock& rock) {
-  std::map<Property, std::vector<Cell>> all = cells_of(rock);
+std::vector<Finding> outlying_specimens(const Rock& rock) {
+  std::map<Property, std::vector<Specimens>> all = cells_of(rock);
   double specimens = 0.0;
   for (const auto& [p, cells] : all)
-    for (const Cell& cell : cells)
+    for (const Specimens& cell : cells)
       specimens += cell.size() < least_cell ? 0.0 : static_cast<double>(cell.size());
-  std::vector<std::string> lines;
+  std::vector<Finding> found;
   for (auto& [p, cells] : all)
     for (Suspect s = farthest_out(p, cells); s.reading != nullptr; s = farthest_out(p, cells)) {
       const double chance = specimens * s.chance();
@@ -119,9 +113,9 @@ std::vector<std::string> outlying_specimens(const Rock& rock) {
       std::erase(*s.cell, out);  // the next is looked for without it
       const double mean = mean_of(*s.cell);
       if (std::fabs(out->value - mean) / unit_of(p, mean) > tolerance(p))
-        lines.push_back(accusation(rock, s, mean, chance));
+        found.push_back(finding_of(rock, s, mean, chance));
     }
-  return lines;
+  return found;
 }
 
 double out_of_line(const std::vector<Target>& ucs, std::size_t cell) {
@@ -141,21 +135,21 @@ double out_of_line(const std::vector<Target>& ucs, std::size_t cell) {
   return std::fabs(by_plane) < std::fabs(by_line) ? by_plane : by_line;
 }
 
-std::vector<std::string> outlying_cells(const std::vector<Target>& targets) {
+std::vector<Finding> outlying_cells(const std::vector<Target>& targets) {
   const std::vector<Target> ucs = of_property(targets, Property::ucs);
-  std::vector<std::string> lines;
+  std::vector<Finding> found;
   for (std::size_t i = 0; i < ucs.size(); ++i) {
     const double off = out_of_line(ucs, i), relative = ucs[i].normal_error() / ucs[i].mean;
     // the prediction has about the error of one cell more
     const double error = std::sqrt(2.0 * relative * relative + prediction * prediction);
     if (!(std::fabs(off) > many_errors * error)) continue;
-    lines.push_back(fmt::format(
-        "out of line? {} = {} lies {:+.0f} % off what the other angles make of it, by a straight line "
-        "between "
-        "its neighbours or by Jaeger's plane ({:.1f} standard errors)",
-        cell_name(ucs[i]), value_of(Property::ucs, ucs[i].mean), 100.0 * off, std::fabs(off) / error));
+    found.push_back({FindingKind::outlying_cell,
+                     {cell_of(ucs[i])},
+                     {{"value", ucs[i].mean}, {"off", off}, {"errors", std::fabs(off) / error}},
+                     {},
+                     Advice::check_value});
   }
-  return lines;
+  return found;
 }
 
-}  // namespace phy::calibrate
+}  // namespace phy::survey

@@ -15,35 +15,16 @@
 //
 // The prior: one table in ten means the other angle than the one by which it is read, and one column in
 // twenty counts otherwise than its table. The likeliest of all 2^n readings decides. How often that accuses
-// and finds: docs/calibration.md, "Theta or beta".
+// and finds: docs/theory/calibration.md.
 #pragma once
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "records/rock.hpp"
+#include "records/finding.hpp"
 
-namespace phy::calibrate {
+namespace phy::survey {
 
-/// What one property says.
-struct AngleEvidence {
-  Property property = Property::E;
-  double log_odds = 0.0;    ///< that its angles are the complements of theta, before any prior
-  double as_read = 0.0;     ///< root mean square miss of the nearest curve, relative
-  double complement = 0.0;  ///< the same with 90 - angle
-  bool exchanged = false;   ///< by the likeliest reading of the table
-};
+/// Where the likeliest reading of a table is not the one as it is written: `angles_exchanged` or
+/// `columns_exchanged`, with what planes miss of each property both ways. `from_load`: the table counts beta.
+std::vector<Finding> angle_question(const std::vector<Target>& targets, bool from_load);
 
-/// There is one where the likeliest reading of a table is not the one as it is written.
-struct AngleQuestion {
-  std::vector<AngleEvidence> properties;  ///< all that were tested at several angles
-  bool of_whole_table() const;
-};
-
-std::optional<AngleQuestion> angle_question(const std::vector<Target>& targets);
-
-/// The question with what speaks, the misses both ways and what to do; `beta`: the table counts from the
-/// load.
-std::string text_of(const AngleQuestion& question, bool beta);
-
-}  // namespace phy::calibrate
+}  // namespace phy::survey
