@@ -6,6 +6,7 @@
 
 #include "calibrate/evidence.hpp"
 #include "records/calibration.hpp"
+#include "records/finding.hpp"
 
 namespace phy::jobs {
 

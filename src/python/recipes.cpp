@@ -10,11 +10,11 @@
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"
-#include "report/finding_json.hpp"
 #include "python/module.hpp"
 #include "records/calibration.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/specimen_record.hpp"
+#include "report/finding_json.hpp"
 #include "rock/file.hpp"
 #include "study/study_in.hpp"
 

@@ -40,7 +40,7 @@ Json cell_json(const Cell& c) {
 
 Json numbers_json(const Finding& f) {
   Json numbers = Json::object();
-  for (const Quantity& q : f.numbers) {
+  for (const NamedNumber& q : f.numbers) {
     Json& number = numbers[q.name];
     if (number.is_null())
       number = q.value;

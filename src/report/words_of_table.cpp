@@ -19,7 +19,7 @@ constexpr std::size_t most_named = 4;  // cells of one sentence
 /// The numbers of a name: one for each cell, or for each name of the finding.
 std::vector<double> each(F f, std::string_view name) {
   std::vector<double> values;
-  for (const Quantity& q : f.numbers)
+  for (const NamedNumber& q : f.numbers)
     if (q.name == name) values.push_back(q.value);
   return values;
 }

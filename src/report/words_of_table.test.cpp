@@ -1,4 +1,5 @@
-// Some sentences of the findings about a table, pinned on purpose: the only place where their words are tested.
+// Some sentences of the findings about a table, pinned on purpose: the only place where their words are
+// tested.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,9 +17,10 @@ TEST(WordsOfTable, AUnitIsDoubtedWithTheValuesAndWhatIsUsual) {
                   {{"least", 0.1e9}, {"most", 200e9}, {"value", 0.023e9}, {"value", 0.015e9}},
                   {},
                   Advice::check_unit};
-  EXPECT_EQ(sentence(f),
-            "E is 0.023 GPa at 0 degrees and 0.015 GPa at 45 degrees; hardly any rock lies outside 0.1 to 200 GPa. "
-            "Check the unit in the header.");
+  EXPECT_EQ(
+      sentence(f),
+      "E is 0.023 GPa at 0 degrees and 0.015 GPa at 45 degrees; hardly any rock lies outside 0.1 to 200 GPa. "
+      "Check the unit in the header.");
 }
 
 TEST(WordsOfTable, ARockWithoutBeddingHasNoAngle) {
@@ -28,7 +30,8 @@ TEST(WordsOfTable, ARockWithoutBeddingHasNoAngle) {
             {},
             Advice::check_lines};
   EXPECT_EQ(sentence(f),
-            "Outlier? Line 23: UCS is 63.4 MPa, where 3 others have a mean of 43.6 MPa. Chance does so in 0.01 % of "
+            "Outlier? Line 23: UCS is 63.4 MPa, where 3 others have a mean of 43.6 MPa. Chance does so in "
+            "0.01 % of "
             "tables (t = 6.6). Check for a typing error, or another rock.");
   f.cells[0].theta = 45.0;
   EXPECT_EQ(sentence(f).substr(0, 42), "Outlier? Line 23: UCS at 45 degrees is 63.");
@@ -40,15 +43,18 @@ TEST(WordsOfTable, AnglesAreAskedForByTheirName) {
             {{"from_load", 0}, {"exchanged", 1}, {"as_read", 0.15}, {"complement", 0.01}},
             {"E"},
             Advice::rename_angles};
-  EXPECT_EQ(sentence(f),
-            "These angles look like beta. With theta = 90 - angle, planes miss E by 1 instead of 15 %. Rename the "
-            "column to beta, or keep it and ignore this.");
+  EXPECT_EQ(
+      sentence(f),
+      "These angles look like beta. With theta = 90 - angle, planes miss E by 1 instead of 15 %. Rename the "
+      "column to beta, or keep it and ignore this.");
   f.kind = Kind::columns_exchanged, f.advice = Advice::rows_of_their_own, f.names.emplace_back("UCS");
   f.numbers.insert(f.numbers.end(), {{"exchanged", 0}, {"as_read", 0.05}, {"complement", 0.3}});
-  EXPECT_EQ(sentence(f),
-            "It seems that E counts from the load, but UCS from the horizontal. With 90 - angle planes miss E by 1 "
-            "instead of 15 %. As written they miss UCS by 5 instead of 30 %. Give E rows with 90 - angle, or keep the "
-            "table and ignore this.");
+  EXPECT_EQ(
+      sentence(f),
+      "It seems that E counts from the load, but UCS from the horizontal. With 90 - angle planes miss E by 1 "
+      "instead of 15 %. As written they miss UCS by 5 instead of 30 %. Give E rows with 90 - angle, or keep "
+      "the "
+      "table and ignore this.");
 }
 
 TEST(WordsOfTable, ClosedFormsHaveTheirNumbers) {
@@ -64,19 +70,22 @@ TEST(WordsOfTable, ClosedFormsHaveTheirNumbers) {
                        {"spacing", 4e-3},
                        {"least_E", 31.4e9},
                        {"theta", 38.2}}}),
-            "Eq. 1 through E: E = 50 +- 1 GPa, K_n delta = 100 +- 8 GPa, K_s delta = 20 +- 0.5 GPa, R2 = 0.987. With "
-            "planes every 4 mm, K_n = 25000 and K_s = 5000 GPa/m. Shoulder type: E is least at 38 degrees, 31.4 GPa.");
+            "Eq. 1 through E: E = 50 +- 1 GPa, K_n delta = 100 +- 8 GPa, K_s delta = 20 +- 0.5 GPa, R2 = "
+            "0.987. With "
+            "planes every 4 mm, K_n = 25000 and K_s = 5000 GPa/m. Shoulder type: E is least at 38 degrees, "
+            "31.4 GPa.");
 }
 
 TEST(WordsOfTable, TheCellThatBelongsToNoBodyIsNamedWithWhatTheOthersWant) {
-  EXPECT_EQ(sentence({Kind::one_cell_of_no_body,
-                      {{Property::nu, 0.0}},
-                      {{"laboratory", 0.06}, {"wanted", 0.15}, {"errors", 9}, {"chi_square", 80}, {"limit", 23}},
-                      {},
-                      Advice::check_nu}),
-            "No layered elastic body has this E and nu within the errors: chi-square is 80, and above 23 in 1 % of "
-            "tables. By the other cells the odd one out is nu at 0 degrees, 0.060 in place of 0.150 (9.0 standard "
-            "errors). Check how nu was measured (it counts in the plane of load and dip), or leave it out.");
+  EXPECT_EQ(
+      sentence({Kind::one_cell_of_no_body,
+                {{Property::nu, 0.0}},
+                {{"laboratory", 0.06}, {"wanted", 0.15}, {"errors", 9}, {"chi_square", 80}, {"limit", 23}},
+                {},
+                Advice::check_nu}),
+      "No layered elastic body has this E and nu within the errors: chi-square is 80, and above 23 in 1 % of "
+      "tables. By the other cells the odd one out is nu at 0 degrees, 0.060 in place of 0.150 (9.0 standard "
+      "errors). Check how nu was measured (it counts in the plane of load and dip), or leave it out.");
 }
 
 }  // namespace

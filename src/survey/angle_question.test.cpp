@@ -42,7 +42,7 @@ std::vector<Target> exchanged(std::vector<Target> targets) {
 /// The numbers of a name, one for each column.
 std::vector<double> each(const Finding& f, std::string_view name) {
   std::vector<double> values;
-  for (const Quantity& q : f.numbers)
+  for (const NamedNumber& q : f.numbers)
     if (q.name == name) values.push_back(q.value);
   return values;
 }

@@ -83,7 +83,7 @@ TEST(ElasticLimit, EndsThatContradictEachOtherAreAllNamed) {
   ASSERT_EQ(found.size(), 1U);
   ASSERT_EQ(found[0].cells.size(), 4U);
   std::vector<double> wanted;
-  for (const Quantity& q : found[0].numbers)
+  for (const NamedNumber& q : found[0].numbers)
     if (q.name == "wanted") wanted.push_back(q.value);
   ASSERT_EQ(wanted.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {

@@ -77,7 +77,7 @@ TEST(UnusualValues, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   const auto apart = unusual_values(rock);
   ASSERT_THAT(kinds(apart), ElementsAre(Kind::replicates_apart));
   EXPECT_NEAR(apart[0].number("factor"), 80.0 / 23.0, 1e-12);
-  EXPECT_THAT(apart[0].numbers, testing::IsSupersetOf({Quantity{"line", 2.0}, Quantity{"line", 4.0}}));
+  EXPECT_THAT(apart[0].numbers, testing::IsSupersetOf({NamedNumber{"line", 2.0}, NamedNumber{"line", 4.0}}));
   for (RockReading& r : rock.readings) r.sd = 11e9;
   EXPECT_THAT(unusual_values(rock), IsEmpty());
 }
