@@ -1,12 +1,14 @@
 #include "calibrate/evidence.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace phy::calibrate {
 
 namespace {
 
+constexpr double z_99 = 2.58;  // standard errors that chance exceeds in 1 % of cases, to both sides
 constexpr double growth_under_confinement = 3.7;  // of sigma_1 per stress: a rock of 35 degrees of friction
 
 /// About what is left of a strength under confinement without the stress on the sides, in a rock of 35
@@ -75,6 +77,24 @@ std::int64_t Evidence::n_tests() const {
 double counted_error(const Target& modulus) {
   const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;
   return std::max(least, modulus.normal_error());
+}
+
+std::vector<theory::LayeredReading> layered_readings(const std::vector<Target>& targets) {
+  std::vector<theory::LayeredReading> readings;
+  for (const Target& t : least_confined(targets))
+    if (!is_strength(t.property))
+      readings.push_back({t.theta, t.property == Property::E, t.mean, counted_error(t)});
+  return readings;
+}
+
+std::optional<double> change_under_confinement(const std::vector<Target>& targets, ModulusReading reading) {
+  const std::vector<Target> E = of_property(targets, Property::E);  // by stress
+  if (E.size() < 2 || reading == ModulusReading::secant_at_peak) return std::nullopt;
+  const Target &low = E.front(), &high = E.back();
+  const double noise = std::hypot(low.normal_error() / low.mean, high.normal_error() / high.mean);
+  const double change = high.mean / low.mean - 1.0;
+  if (std::fabs(change) <= std::max(2.0 * measured(Property::E).tolerance, z_99 * noise)) return std::nullopt;
+  return change;
 }
 
 Property compression_of(const Evidence& e, double from, double to) {

@@ -2,11 +2,13 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "records/rock.hpp"
 #include "theory/eq1_fit.hpp"
+#include "theory/layered_fit.hpp"
 
 namespace phy::calibrate {
 
@@ -54,6 +56,14 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
+
+/// E and nu under the least stress, as theories of layered bodies take them, with the errors that count.
+std::vector<theory::LayeredReading> layered_readings(const std::vector<Target>& targets);
+
+/// Relative change of E from the least to the largest confining stress, where it is more than chance and than
+/// twice the tolerance of E. Bonds are as stiff under any stress, so that no model without layers has it
+/// before its peak.
+std::optional<double> change_under_confinement(const std::vector<Target>& targets, ModulusReading reading);
 
 /// UCS, or where a table has none between two inclinations strength under confinement.
 Property compression_of(const Evidence& evidence, double from = 0.0, double to = 90.0);

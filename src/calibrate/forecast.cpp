@@ -14,7 +14,6 @@
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
 #include "calibrate/nearest.hpp"
-#include "survey/elastic_limits.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -224,6 +223,15 @@ VerdictStatus status_of(const Forecast& f) {
                     : VerdictStatus::calibrated;
 }
 
+/// Do planes in an isotropic rock have these E within their errors?
+bool planes_may_have(const std::vector<Target>& E) {
+  const std::vector<theory::LayeredReading> readings = layered_readings(E);
+  if (readings.empty()) return true;
+  for (const auto body : {theory::LayeredBody::any, theory::LayeredBody::planes_in_isotropic_rock})
+    if (!theory::fit_layered(readings, body).met()) return false;
+  return true;
+}
+
 std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
   const ModelFamily* family = family_of(evidence.rock.model);
   if (family == nullptr) return std::nullopt;
@@ -246,7 +254,7 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
   for (std::size_t j = 0; j < problem.sought.size(); ++j)
     at_edge = at_edge || (problem.elastic[j] && std::fabs(x[ForecastProblem::place(j)]) > edge);
   f.beyond_map = at_edge && f.rms(Property::E) > modulus_limit &&
-                 survey::elastic_limits(of_property(evidence.moduli, Property::E)).empty();
+                 planes_may_have(of_property(evidence.moduli, Property::E));
   return f;
 }
 
@@ -316,7 +324,7 @@ bool Forecast::meets() const {
 std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
   if (!evidence.has(Property::E) && !evidence.has(Property::ucs)) return std::nullopt;
   // no model was mapped under confinement, and none has what this table asks of it
-  if (!evidence.rock.bedded && !survey::confinement_limits(evidence.targets, evidence.rock.E_is).empty())
+  if (!evidence.rock.bedded && change_under_confinement(evidence.targets, evidence.rock.E_is))
     return std::nullopt;
   // most of such a table was not mapped
   if (evidence.fits_strength() && !evidence.has(Property::ucs)) return std::nullopt;

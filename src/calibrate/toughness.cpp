@@ -46,25 +46,6 @@ PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& 
           curvature};
 }
 
-std::vector<Finding> coarse_half_discs(const Evidence& evidence) {
-  std::vector<Finding> found;
-  const Recipe& model = evidence.rock.model;
-  for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {
-    const double R = half_disc(model, t).radius, across = whole_grains(R, grain_size(model));
-    // once for each size of half disc
-    if (across >= fewest_in_radius ||
-        std::any_of(found.begin(), found.end(), [&](const Finding& f) { return f.number("radius") == R; }))
-      continue;
-    const double fine = std::floor(R / fewest_in_radius * 1e5) * 1e-5;  // rounded down to hundredths of a mm
-    found.push_back({FindingKind::coarse_half_disc,
-                     {},
-                     {{"grains", across}, {"radius", R}, {"fewest", fewest_in_radius}, {"wanted", fine}},
-                     {},
-                     Advice::finer_half_disc});
-  }
-  return found;
-}
-
 double grain_size_to_meet(const std::vector<Comparison>& toughness, double grain_size) {
   double sum = 0.0;
   int n = 0;

@@ -13,7 +13,6 @@
 #include "calibrate/evidence.hpp"
 #include "calibrate/surrogate.hpp"
 #include "records/calibration.hpp"
-#include "records/finding.hpp"
 
 namespace phy::calibrate {
 
@@ -22,9 +21,6 @@ namespace phy::calibrate {
 /// sqrt(pi alpha R); sigma_c in place of that strength where nothing was mapped. `splitting`: of
 /// log(BTS/sigma_c), nothing where nothing was mapped.
 PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting);
-
-/// Half discs of a table that few grains of the model go into.
-std::vector<Finding> coarse_half_discs(const Evidence& evidence);
 
 /// Mean diameter of the grains [m] that would meet the table at the same strengths:
 /// d (K_Ic of the table/K_Ic of the model)^2, the geometric mean over the rows; NaN without an answer.

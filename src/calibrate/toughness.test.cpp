@@ -135,19 +135,5 @@ TEST(Toughness, IsComparedWhereTheGrainSizeIsNotStated) {
                                       HasSubstr("grain_size = \"1."), HasSubstr("fewer than 20"))));
 }
 
-// A radius of 19 mm holds 28 grains of 0.665 mm, and 13 of 1.5 mm.
-TEST(Toughness, OfFewGrainsInTheRadiusIsNotResolved) {
-  Rock rock = table(true);
-  EXPECT_TRUE(coarse_half_discs(Evidence(rock)).empty());
-  rock.model.packing.radius_min = 0.0005, rock.model.packing.radius_max = 0.001;
-  const std::vector<Finding> coarse = coarse_half_discs(Evidence(rock));
-  ASSERT_EQ(coarse.size(), 1U);
-  EXPECT_EQ(coarse[0].number("grains"), 12.0);
-  EXPECT_EQ(coarse[0].number("radius"), 0.019);
-  EXPECT_NEAR(coarse[0].number("wanted"), 0.95e-3, 1e-9);
-  rock.model.packing.radius_min = 0.00038, rock.model.packing.radius_max = 0.00057;
-  EXPECT_TRUE(coarse_half_discs(Evidence(rock)).empty()) << "the advice was taken";
-}
-
 }  // namespace
 }  // namespace phy::calibrate

@@ -5,24 +5,11 @@
 
 #include "base/nan.hpp"
 #include "calibrate/evidence.hpp"
-#include "calibrate/margin.hpp"
-#include "theory/layered_fit.hpp"
 
 namespace phy::survey {
 namespace {
 
 constexpr double far_off = 2.0;  // standard errors, from which a cell counts beside the farthest
-
-/// E and nu.
-std::vector<theory::LayeredReading> readings_of(const std::vector<Target>& targets) {
-  std::vector<theory::LayeredReading> readings;
-  for (const Target& t : least_confined(targets)) {
-    if (is_strength(t.property)) continue;
-    const bool modulus = t.property == Property::E;
-    readings.push_back({t.theta, modulus, t.mean, counted_error(t)});
-  }
-  return readings;
-}
 
 bool has_modulus(const std::vector<theory::LayeredReading>& readings) {
   return std::any_of(readings.begin(), readings.end(),
@@ -82,7 +69,7 @@ std::vector<CellMisfit> farthest(const std::vector<theory::LayeredReading>& read
 }  // namespace
 
 std::vector<Finding> elastic_limits(const std::vector<Target>& targets) {
-  const std::vector<theory::LayeredReading> readings = readings_of(targets);
+  const std::vector<theory::LayeredReading> readings = calibrate::layered_readings(targets);
   if (!has_modulus(readings)) return {};
   const double confining = of_property(targets, Property::E).front().confining;  // the least
   const theory::LayeredFit any = theory::fit_layered(readings, theory::LayeredBody::any);
@@ -104,13 +91,11 @@ std::vector<Finding> elastic_limits(const std::vector<Target>& targets) {
 }
 
 std::vector<Finding> confinement_limits(const std::vector<Target>& targets, ModulusReading reading) {
+  const auto change = calibrate::change_under_confinement(targets, reading);
+  if (!change) return {};
   const std::vector<Target> E = of_property(targets, Property::E);  // by stress
-  if (E.size() < 2 || reading == ModulusReading::secant_at_peak) return {};
-  const Target &low = E.front(), &high = E.back();
-  const double noise = std::hypot(low.normal_error() / low.mean, high.normal_error() / high.mean);
-  const double change = high.mean / low.mean - 1.0;
-  if (std::fabs(change) <= std::max(2.0 * tolerance(Property::E), surely * noise)) return {};
-  Finding f{FindingKind::stiffer_under_confinement, {cell_of(low), cell_of(high)}, {{"change", change}}};
+  Finding f{
+      FindingKind::stiffer_under_confinement, {cell_of(E.front()), cell_of(E.back())}, {{"change", *change}}};
   for (Cell& c : f.cells) c.theta = nan;  // a rock without layers
   f.advice = Advice::one_confinement;
   return {f};

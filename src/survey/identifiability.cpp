@@ -7,8 +7,8 @@
 
 #include "base/nan.hpp"
 #include "base/stats.hpp"
-#include "calibrate/toughness.hpp"
 #include "survey/elastic_limits.hpp"
+#include "survey/half_discs.hpp"
 
 namespace phy::survey {
 namespace {
@@ -153,7 +153,7 @@ std::vector<Finding> limits_of_table(const Evidence& evidence) {
   const bool moduli = evidence.has(Property::E);
   found.push_back({moduli ? FindingKind::packings_not_counted : FindingKind::no_modulus});
   if (evidence.fits_strength())
-    append(found, calibrate::coarse_half_discs(evidence));
+    append(found, coarse_half_discs(evidence));
   else
     found.push_back({FindingKind::no_compression});
   if (!evidence.rock.bedded) {

@@ -1,0 +1,38 @@
+#include "survey/half_discs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/semi_circular_bend/semi_circular_bend.hpp"
+
+namespace phy::survey {
+namespace {
+
+constexpr double fewest_in_radius = 20.0;  // grains (docs/theory/calibration.md, "Fracture toughness")
+
+double radius_of(Recipe model, const Target& toughness) {
+  if (toughness.diameter > 0.0) model.test.disc_diameter = toughness.diameter;
+  return lab::bend_specimen(model).radius;
+}
+
+}  // namespace
+
+std::vector<Finding> coarse_half_discs(const calibrate::Evidence& evidence) {
+  std::vector<Finding> found;
+  const Recipe& model = evidence.rock.model;
+  for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {
+    const double R = radius_of(model, t), grains = std::floor(R / grain_size(model) + 1e-9);
+    if (grains >= fewest_in_radius ||
+        std::any_of(found.begin(), found.end(), [&](const Finding& f) { return f.number("radius") == R; }))
+      continue;
+    const double fine = std::floor(R / fewest_in_radius * 1e5) * 1e-5;  // rounded down to hundredths of a mm
+    found.push_back({FindingKind::coarse_half_disc,
+                     {},
+                     {{"grains", grains}, {"radius", R}, {"fewest", fewest_in_radius}, {"wanted", fine}},
+                     {},
+                     Advice::finer_half_disc});
+  }
+  return found;
+}
+
+}  // namespace phy::survey
