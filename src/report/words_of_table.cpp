@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "report/words.hpp"
 
@@ -48,13 +49,19 @@ std::string values_of(F f, std::string_view name, const std::string& what, Text 
   return fmt::format("{} is {}", what, list_text(items));
 }
 
-/// The finding and, as a sentence of its own, what to do.
-std::string advised(F f, const std::string& said) {
+/// What is found and, as a sentence of its own, what to do.
+template <class... Values>
+std::string say(F f, fmt::format_string<Values...> format, Values&&... values) {
+  const std::string said = fmt::format(format, std::forward<Values>(values)...);
   std::string advice = text(f.advice, f);
   if (advice.empty()) return said;
   advice.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(advice.front())));
   return fmt::format("{} {}.", said, advice);
 }
+
+/// "48.0 MPa" of a number that is a stress.
+std::string stress(F f, std::string_view name) { return value_text(Property::ucs, f.number(name)); }
+double in_MPa(double stress) { return stress * 1e-6; }
 
 // ---- doubts
 
@@ -62,80 +69,69 @@ std::string unusual_value(F f) {
   const Property p = f.cells.front().property;
   const ShownUnit unit = shown_unit(p);
   const auto value = [&](const Cell&, double v) { return value_text(p, v); };
-  return advised(f, fmt::format("{}; hardly any rock lies outside {:g} to {:g} {}.",
-                                values_of(f, "value", to_string(p), value), f.number("least") * unit.factor,
-                                f.number("most") * unit.factor, unit.name));
+  return say(f, "{}; hardly any rock lies outside {:g} to {:g} {}.",
+             values_of(f, "value", to_string(p), value), f.number("least") * unit.factor,
+             f.number("most") * unit.factor, unit.name);
 }
 
-std::string ratio_text(const Cell&, double ratio) { return fmt::format("{:.3g}", ratio); }
-
 std::string modulus_ratio(F f) {
-  return advised(f, values_of(f, "ratio", "E/UCS", ratio_text) +
-                        "; most rocks have 200 to 500, hardly any less than 80 or more than 2000 (Deere & "
-                        "Miller 1966).");
+  const auto ratio = [](const Cell&, double v) { return number_text(v); };
+  return say(
+      f, "{}; most rocks have 200 to 500, hardly any less than 80 or more than 2000 (Deere & Miller 1966).",
+      values_of(f, "ratio", "E/UCS", ratio));
 }
 
 std::string unusual_tension(F f) {
-  const auto ratio = [](const Cell& c, double v) {
-    return fmt::format("{} {:.2g}", to_string(c.property), v);
-  };
-  return advised(f,
-                 values_of(f, "ratio", "Tensile strength over UCS", ratio) + "; most rocks have about 0.1.");
+  const auto ratio = [](const Cell& c, double v) { return fmt::format("{} {:.2g}", test_of(c), v); };
+  return say(f, "{}; most rocks have about 0.1.", values_of(f, "ratio", "Tension over UCS", ratio));
 }
 
 std::string strength_falls(F f) {
-  const double factor = 1e-6;
-  return advised(
+  return say(
       f,
-      fmt::format("sigma_1 - sigma_3{} falls from {} MPa under {:.3g} MPa to {} MPa under {:.3g} MPa; "
-                  "confinement weakens no rock.",
-                  angle_of(f.cells[1]), number_text(f.number("from") * factor), f.cells[0].confining * factor,
-                  number_text(f.number("to") * factor), f.cells[1].confining * factor));
+      "sigma_1 - sigma_3{} falls from {} under {:.3g} MPa to {} under {:.3g} MPa; confinement weakens no "
+      "rock.",
+      angle_of(f.cells[1]), stress(f, "from"), in_MPa(f.cells[0].confining), stress(f, "to"),
+      in_MPa(f.cells[1].confining));
 }
 
 std::string off_envelope(F f) {
-  return advised(
-      f, fmt::format("{} is {}, but the line through its strengths under {:.3g} to {:.3g} MPa gives {}.",
-                     name_of(f.cells[0]), value_text(Property::ucs, f.number("laboratory")),
-                     f.number("from") * 1e-6, f.number("to") * 1e-6,
-                     value_text(Property::ucs, f.number("envelope"))));
+  return say(f, "{} is {}, but the line through its strengths under {:.3g} to {:.3g} MPa gives {}.",
+             name_of(f.cells[0]), stress(f, "laboratory"), in_MPa(f.number("from")), in_MPa(f.number("to")),
+             stress(f, "envelope"));
 }
 
 std::string narrow_angles(F f) {
-  return advised(
-      f, fmt::format("All angles lie between {:g} and {:g} degrees: they say little about the layers.",
-                     f.number("from"), f.number("to")));
+  return say(f, "All angles lie between {:g} and {:g} degrees: they say little about the layers.",
+             f.number("from"), f.number("to"));
 }
 
 std::string replicates_apart(F f) {
   const std::vector<double> lines = each(f, "line");
-  return advised(f, fmt::format("{} of lines {:.0f} and {:.0f} differs by a factor of {:.2g}.",
-                                name_of(f.cells[0]), lines[0], lines[1], f.number("factor")));
+  return say(f, "{} of lines {:.0f} and {:.0f} differs by a factor of {:.2g}.", name_of(f.cells[0]), lines[0],
+             lines[1], f.number("factor"));
 }
 
 std::string wide_scatter(F f) {
-  return advised(
-      f, fmt::format("The SD of {} (line {:.0f}) is {:.2g} of the value; hardly any rock scatters so much.",
-                     name_of(f.cells[0]), f.number("line"), f.number("share")));
+  return say(f, "The SD of {} (line {:.0f}) is {:.2g} of the value; hardly any rock scatters so much.",
+             name_of(f.cells[0]), f.number("line"), f.number("share"));
 }
 
 std::string outlying_specimen(F f) {
   const Property p = f.cells[0].property;
-  return advised(
+  return say(
       f,
-      fmt::format("Outlier? Line {:.0f}: {} is {}, where {:.0f} others have a mean of {}. Chance does so in "
-                  "{:.1g} % of tables (t = {:.1f}).",
-                  f.number("line"), name_of(f.cells[0]), value_text(p, f.number("value")), f.number("others"),
-                  value_text(p, f.number("mean")), 100.0 * f.number("chance"), f.number("t")));
+      "Outlier? Line {:.0f}: {} is {}, where {:.0f} others have a mean of {}. Chance does so in {:.1g} % "
+      "of tables (t = {:.1f}).",
+      f.number("line"), name_of(f.cells[0]), value_text(p, f.number("value")), f.number("others"),
+      value_text(p, f.number("mean")), 100.0 * f.number("chance"), f.number("t"));
 }
 
 std::string outlying_cell(F f) {
-  return advised(
-      f,
-      fmt::format("Outlier? {} is {}, {:+.0f} % off what the other angles predict ({:.1f} standard errors): "
-                  "the nearer of a straight line and Jaeger's plane.",
-                  name_of(f.cells[0]), value_text(Property::ucs, f.number("value")), 100.0 * f.number("off"),
-                  f.number("errors")));
+  return say(f,
+             "Outlier? {} is {}, {:+.0f} % off what the other angles predict ({:.1f} standard errors): the "
+             "nearer of a straight line and Jaeger's plane.",
+             name_of(f.cells[0]), stress(f, "value"), 100.0 * f.number("off"), f.number("errors"));
 }
 
 // ---- the sense of the angles
@@ -159,20 +155,19 @@ std::string columns(F f, bool exchanged) {
 
 std::string angles_exchanged(F f) {
   const bool beta = f.number("from_load") > 0.0;
-  return advised(f, fmt::format("These angles look like {}. With {} = 90 - angle, planes miss {}.",
-                                beta ? "theta" : "beta", beta ? "beta" : "theta",
-                                misses(f, true, "complement", "as_read")));
+  return say(f, "These angles look like {}. With {} = 90 - angle, planes miss {}.", beta ? "theta" : "beta",
+             beta ? "beta" : "theta", misses(f, true, "complement", "as_read"));
 }
 
 std::string columns_exchanged(F f) {
-  const bool beta = f.number("from_load") > 0.0;
-  const char *load = "the load", *horizontal = "the horizontal";
-  return advised(
-      f, fmt::format(
-             "It seems that {} counts from {}, but {} from {}. With 90 - angle planes miss {}. As written "
-             "they miss {}.",
-             columns(f, true), beta ? horizontal : load, columns(f, false), beta ? load : horizontal,
-             misses(f, true, "complement", "as_read"), misses(f, false, "as_read", "complement")));
+  const char *here = "the load", *there = "the horizontal";
+  if (f.number("from_load") > 0.0) std::swap(here, there);
+  return say(
+      f,
+      "It seems that {} counts from {}, but {} from {}. With 90 - angle planes miss {}. As written they "
+      "miss {}.",
+      columns(f, true), here, columns(f, false), there, misses(f, true, "complement", "as_read"),
+      misses(f, false, "as_read", "complement"));
 }
 
 // ---- closed forms
@@ -201,13 +196,11 @@ std::string eq1(F f) {
 }
 
 std::string jaeger_plane(F f) {
-  return fmt::format(
-      "Jaeger's plane of weakness through UCS: c_w = {}, phi_w = {:.0f} degrees, R2 = {:.2f}. It is weakest "
-      "at {:.0f} "
-      "degrees, {}, below shoulders of {}, and misses UCS by {:.0f} % (rms).",
-      value_text(Property::ucs, f.number("c_w")), f.number("phi_w"), f.number("R2"), f.number("theta"),
-      value_text(Property::ucs, f.number("least")), value_text(Property::ucs, f.number("shoulders")),
-      100.0 * f.number("rms"));
+  return say(f,
+             "Jaeger's plane of weakness through UCS: c_w = {}, phi_w = {:.0f} degrees, R2 = {:.2f}. It is "
+             "weakest at {:.0f} degrees, {}, below shoulders of {}, and misses UCS by {:.0f} % (rms).",
+             stress(f, "c_w"), f.number("phi_w"), f.number("R2"), f.number("theta"), stress(f, "least"),
+             stress(f, "shoulders"), 100.0 * f.number("rms"));
 }
 
 std::string anisotropy(F f) {
@@ -222,15 +215,12 @@ std::string anisotropy(F f) {
 // ---- limits of the table
 
 std::string scatter_assumed(F f) {
-  const bool nu = f.cells.front().property == Property::nu;
-  const double factor = nu ? 1.0 : 100.0;
-  const std::string least = fmt::format("{:.2g}", factor * f.number("least")),
-                    most = fmt::format("{:.2g}", factor * f.number("most"));
-  return fmt::format(
-      "{}: the table says little of the scatter of {} of {:.0f} cells. Single specimens are taken to "
-      "scatter by {}{}.",
-      to_string(f.cells.front().property), f.cells.size(), f.number("of"),
-      least == most ? least : least + " to " + most, nu ? "" : " %");
+  const Property p = f.cells.front().property;
+  const std::string least = miss_text(p, f.number("least")), most = miss_text(p, f.number("most"));
+  return say(f,
+             "{}: the table says little of the scatter of {} of {:.0f} cells. Single specimens are taken to "
+             "scatter by {}.",
+             to_string(p), f.cells.size(), f.number("of"), least == most ? least : least + " to " + most);
 }
 
 /// "nu at 0 degrees is 0.150 (0.075 wanted, 7.5 standard errors)"
@@ -255,38 +245,100 @@ std::string reading_of(F f) {
 }
 
 std::string no_layered_body(F f) {
-  const std::string chi = fmt::format(
-      "No layered elastic body has this E{} within the errors: chi-square is {:.0f}, and above {:.0f} in 1 % "
-      "of tables.",
-      f.advice == Advice::check_nu ? " and nu" : "", f.number("chi_square"), f.number("limit"));
-  const std::string cells = f.kind == Kind::no_layered_body ? "Farthest from the nearest body: "
-                            : f.cells.size() > 1            ? "By the other cells the odd one out is any of: "
-                                                            : "By the other cells the odd one out is ";
-  return advised(f, fmt::format("{} {}{}.{}", chi, cells, misfits(f), reading_of(f)));
-}
-
-std::string no_planes(F f) {
-  return fmt::format(
-      "A layered elastic body has this E and nu, but no isotropic rock with planes: {}.{} Joints in place of "
-      "bonds "
-      "may come nearer.",
+  const char* which = f.kind == Kind::no_layered_body ? "Farthest from the nearest body:"
+                      : f.cells.size() > 1            ? "By the other cells the odd one out is any of:"
+                                                      : "By the other cells the odd one out is";
+  return say(
+      f,
+      "No layered elastic body has this E{} within the errors: chi-square is {:.0f}, and above {:.0f} in "
+      "1 % of tables. {} {}.{}",
+      f.advice == Advice::check_nu ? " and nu" : "", f.number("chi_square"), f.number("limit"), which,
       misfits(f), reading_of(f));
 }
 
+std::string no_planes(F f) {
+  return say(f,
+             "A layered elastic body has this E and nu, but no isotropic rock with planes: {}.{} Joints in "
+             "place of bonds may come nearer.",
+             misfits(f), reading_of(f));
+}
+
 std::string stiffer(F f) {
-  return advised(
-      f, fmt::format("E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains without "
-                     "layers change by 2 % or less (to 20 MPa), so the model will lie between.",
-                     100.0 * f.number("change"), f.cells[0].confining * 1e-6, f.cells[1].confining * 1e-6));
+  return say(f,
+             "E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains without layers "
+             "change by 2 % or less (to 20 MPa), so the model will lie between.",
+             100.0 * f.number("change"), in_MPa(f.cells[0].confining), in_MPa(f.cells[1].confining));
 }
 
 std::string coarse_half_disc(F f) {
-  return advised(
-      f, fmt::format(
-             "K_Ic: {:.0f} grains in the radius of the half disc ({:.3g} mm) are too few. Below {:g} the "
-             "notch is blunt and K_Ic too low.",
-             f.number("grains"), f.number("radius") * 1e3, f.number("fewest")));
+  return say(
+      f,
+      "K_Ic: {:.0f} grains in the radius of the half disc ({:.3g} mm) are too few. Below {:g} the notch "
+      "is blunt and K_Ic too low.",
+      f.number("grains"), f.number("radius") * 1e3, f.number("fewest"));
 }
+
+const std::vector<Wording> doubts = {
+    {Kind::unusual_value, unusual_value},
+    {Kind::unusual_modulus_ratio, modulus_ratio},
+    {Kind::unusual_tension, unusual_tension},
+    {Kind::strength_falls, strength_falls},
+    {Kind::off_envelope, off_envelope},
+    {Kind::narrow_angles, narrow_angles},
+    {Kind::replicates_apart, replicates_apart},
+    {Kind::wide_scatter, wide_scatter},
+    {Kind::outlying_specimen, outlying_specimen},
+    {Kind::outlying_cell, outlying_cell},
+    {Kind::angles_exchanged, angles_exchanged},
+    {Kind::columns_exchanged, columns_exchanged},
+    {Kind::along_bedding_taken,
+     [](F f) {
+       return say(f,
+                  "{}: taken for the rock along its bedding, which the conversion of plane strain needs. The "
+                  "table has no value nearer to 90 degrees.",
+                  cells_text(f.cells));
+     }},
+    {Kind::not_converted,
+     [](F f) {
+       return say(f, "{}: not converted from plane strain, for want of E at the same angle.",
+                  std::isfinite(f.cells[0].theta) ? cells_text(f.cells) : test_of(f.cells[0]));
+     }},
+};
+
+const std::vector<Wording> closed_forms = {
+    {Kind::eq1_shoulder, eq1},
+    {Kind::eq1_incremental, eq1},
+    {Kind::table_dips,
+     [](F f) { return say(f, "E of the table, however, is least at {:g} degrees.", f.cells[0].theta); }},
+    {Kind::eq1_none, [](F f) { return say(f, "Eq. 1 through E: none, {}.", f.names.front()); }},
+    {Kind::jaeger_plane, jaeger_plane},
+    {Kind::jaeger_none,
+     [](F f) { return say(f, "Jaeger's plane of weakness through UCS: none, {}.", f.names.front()); }},
+    {Kind::no_plane_shows,
+     [](F f) { return say(f, "UCS shows no plane of weakness (R2 = {:.2f}).", f.number("R2")); }},
+    {Kind::weakest_off_plane,
+     [](F f) {
+       return say(f, "The table is weakest at {:g} degrees, where no single plane of weakness has its least.",
+                  f.cells[0].theta);
+     }},
+    {Kind::anisotropy, anisotropy},
+};
+
+const std::vector<Wording> limits = {
+    {Kind::scatter_assumed, scatter_assumed},
+    {Kind::packings_not_counted,
+     [](F f) {
+       return say(
+           f,
+           "Expected intervals count the laboratory's scatter alone; the difference between packings of "
+           "the model comes on top.");
+     }},
+    {Kind::no_layered_body, no_layered_body},
+    {Kind::one_cell_of_no_body, no_layered_body},
+    {Kind::no_planes_in_isotropic_rock, no_planes},
+    {Kind::stiffer_under_confinement, stiffer},
+    {Kind::coarse_half_disc, coarse_half_disc},
+};
 
 }  // namespace
 
@@ -310,65 +362,12 @@ std::string advice_of_table(Advice advice, F of) {
 }
 
 const std::vector<Wording>& words_of_table() {
-  static const std::vector<Wording> list = {
-      {Kind::unusual_value, unusual_value},
-      {Kind::unusual_modulus_ratio, modulus_ratio},
-      {Kind::unusual_tension, unusual_tension},
-      {Kind::strength_falls, strength_falls},
-      {Kind::off_envelope, off_envelope},
-      {Kind::narrow_angles, narrow_angles},
-      {Kind::replicates_apart, replicates_apart},
-      {Kind::wide_scatter, wide_scatter},
-      {Kind::outlying_specimen, outlying_specimen},
-      {Kind::outlying_cell, outlying_cell},
-      {Kind::angles_exchanged, angles_exchanged},
-      {Kind::columns_exchanged, columns_exchanged},
-      {Kind::along_bedding_taken,
-       [](F f) {
-         return cells_text(f.cells) +
-                ": taken for the rock along its bedding, which the conversion of plane strain needs. The "
-                "table has "
-                "no value nearer to 90 degrees.";
-       }},
-      {Kind::not_converted,
-       [](F f) {
-         return fmt::format("{}: not converted from plane strain, for want of E at the same angle.",
-                            std::isfinite(f.cells[0].theta) ? cells_text(f.cells) : test_of(f.cells[0]));
-       }},
-      {Kind::eq1_shoulder, eq1},
-      {Kind::eq1_incremental, eq1},
-      {Kind::table_dips,
-       [](F f) {
-         return fmt::format("E of the table, however, is least at {:g} degrees.", f.cells[0].theta);
-       }},
-      {Kind::eq1_none, [](F f) { return fmt::format("Eq. 1 through E: none, {}.", f.names.front()); }},
-      {Kind::jaeger_plane, jaeger_plane},
-      {Kind::jaeger_none,
-       [](F f) { return fmt::format("Jaeger's plane of weakness through UCS: none, {}.", f.names.front()); }},
-      {Kind::no_plane_shows,
-       [](F f) { return fmt::format("UCS shows no plane of weakness (R2 = {:.2f}).", f.number("R2")); }},
-      {Kind::weakest_off_plane,
-       [](F f) {
-         return fmt::format(
-             "The table is weakest at {:g} degrees, where no single plane of weakness has its least.",
-             f.cells[0].theta);
-       }},
-      {Kind::anisotropy, anisotropy},
-      {Kind::scatter_assumed, scatter_assumed},
-      {Kind::packings_not_counted,
-       [](F) {
-         return std::string(
-             "Expected intervals count the laboratory's scatter alone; the difference between packings of "
-             "the "
-             "model comes on top.");
-       }},
-      {Kind::no_layered_body, no_layered_body},
-      {Kind::one_cell_of_no_body, no_layered_body},
-      {Kind::no_planes_in_isotropic_rock, no_planes},
-      {Kind::stiffer_under_confinement, stiffer},
-      {Kind::coarse_half_disc, coarse_half_disc},
-  };
-  return list;
+  static const std::vector<Wording> all = [] {
+    std::vector<Wording> list = doubts;
+    for (const auto* more : {&closed_forms, &limits}) list.insert(list.end(), more->begin(), more->end());
+    return list;
+  }();
+  return all;
 }
 
 }  // namespace phy::report
