@@ -136,7 +136,7 @@ void append(std::vector<Finding>& found, const std::vector<Finding>& more) {
 
 std::vector<Estimate> identifiability(const Evidence& evidence) {
   std::vector<Estimate> estimates;
-  const std::vector<const ElasticParameter*> elastic = elastic_parameters(evidence.rock.model);
+  const std::vector<const ElasticParameter*> elastic = calibrate::elastic_parameters(evidence.rock.model);
   const std::vector<double> sd = expected_sd(evidence, elastic);
   for (std::size_t i = 0; i < elastic.size(); ++i)
     estimates.push_back(identified_modulus(*elastic[i], sd[i], evidence));

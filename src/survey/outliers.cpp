@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/nan.hpp"
-#include "calibrate/margin.hpp"
 #include "records/calibration.hpp"
 #include "survey/cells.hpp"
 #include "theory/jaeger_fit.hpp"
@@ -65,7 +64,7 @@ Suspect farthest_out(Property p, std::vector<Specimens>& cells) {
     for (const RockReading* r : cell) squares += std::pow((r->value - mean) / unit_of(p, mean), 2.0);
     degrees += static_cast<int>(cell.size()) - 1;
   }
-  const double least = 0.2 * tolerance(p);  // replicates that are rounded, or alike by chance
+  const double least = 0.2 * measured(p).tolerance;  // replicates that are rounded, or alike by chance
   Suspect worst;
   worst.degrees = degrees;
   if (degrees < least_degrees) return worst;
@@ -112,7 +111,7 @@ std::vector<Finding> outlying_specimens(const Rock& rock) {
       const RockReading* out = s.reading;
       std::erase(*s.cell, out);  // the next is looked for without it
       const double mean = mean_of(*s.cell);
-      if (std::fabs(out->value - mean) / unit_of(p, mean) > tolerance(p))
+      if (std::fabs(out->value - mean) / unit_of(p, mean) > measured(p).tolerance)
         found.push_back(finding_of(rock, s, mean, chance));
     }
   return found;
