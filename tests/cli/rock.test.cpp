@@ -73,8 +73,9 @@ TEST_F(RockCli, ACheckEndsWithTheVerdictThatIsForetold) {
         "[MPa]\n0,20,110\n15,20.5,98\n30,22,75\n45,25,58\n60,30,56\n75,36,75\n90,40,115\n");
   ASSERT_EQ(run("rock check " + write("t.toml", "data = \"t.csv\"\n")), 0) << output;
   std::size_t at = 0;
-  for (const char* part : {"theta ", "- Eq. 1 through E: E = ", "- Jaeger's plane", "- Largest value over least: ",
-                           "parameter ", "- in the maps", "foretold: a calibration will probably end "}) {
+  for (const char* part :
+       {"theta ", "- Eq. 1 through E: E = ", "- Jaeger's plane", "- Largest value over least: ", "parameter ",
+        "- in the maps", "foretold: a calibration will probably end "}) {
     const std::size_t found = output.find(part, at);
     ASSERT_NE(found, output.npos) << part << output;
     at = found;
