@@ -144,7 +144,7 @@ void add_figure_command(CLI::App& app, Session& session) {
   verb->add_option("--kind", args->kind, kinds_text())->type_name("KIND")->check(suggested([] {
     return names_of_kinds({}, true);
   }));
-  verb->add_option("--format", args->format, "svg, pdf or png; default: that of --out, else svg")
+  verb->add_option("--format", args->format, "svg, pdf or png; default: the ending of --out, else svg")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
   verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind")
       ->capture_default_str();

@@ -210,7 +210,7 @@ void add_man_command(CLI::App& app, Session& session) {
   };
   auto args = std::make_shared<Arguments>();
   CLI::App* man = app.add_subcommand("man", "manual pages in the language of man(7)");
-  man->add_option("page", args->verb, "verb whose page is printed; without one, that of the program")
+  man->add_option("page", args->verb, "verb whose page is printed; without one, the program's")
       ->type_name("VERB")
       ->check(suggested([&app] {
         std::vector<std::string> names;

@@ -38,11 +38,10 @@ const std::vector<ManText>& texts() {
         {"", "phyllite show results/pfc2d"},
         {"Hold this build against closed forms, one case of them:", "phyllite verify V6"}}},
       {"run",
-       "Makes the packing of a recipe (or takes it from the cache), bonds it, lays the bedding, and runs the "
-       "test "
-       "that the recipe asks for at each of its angles and, if it asks, on intact rock. Specimens run side "
-       "by "
-       "side on all cores. Several recipes have a folder each, named after their files.\n\n"
+       "Makes the packing of a recipe (or takes it from the cache), bonds it, and lays the bedding. Then it "
+       "runs "
+       "the recipe's test at each of its angles and, if asked, on intact rock. Specimens run side by side on "
+       "all cores. Several recipes have a folder each, named after their files.\n\n"
        "The results of a folder are of one recipe: other angles of it are added, another recipe is refused "
        "unless --replace removes the older results. With --ensemble the recipe is the calibrated.toml of a "
        "calibration, and the test runs on every draw of its ensemble.",
@@ -62,9 +61,9 @@ const std::vector<ManText>& texts() {
         {"contacts_NAME.csv", "per specimen: every contact with kind, gap, stiffnesses, strengths"}},
        {{"", "phyllite specimen examples/pfc2d/specimen.toml --out specimen"}}},
       {"verify",
-       "Computes cases whose answer is known in closed form (elasticity, waves, contact laws, joints, whole "
-       "bodies) with the program as it is installed, and prints expected and computed value, difference and "
-       "tolerance of each. Exit status 1 says that a check failed.\n\n"
+       "Computes cases whose answer is known in closed form: elasticity, waves, contact laws, joints, whole "
+       "bodies. Prints expected and computed value, difference and tolerance of each. Exit status 1 says "
+       "that a check failed.\n\n"
        "With --hash small tests of every kind and contact model are run and their bits compared with those "
        "that "
        "were recorded when the program was tested.",
@@ -84,10 +83,9 @@ const std::vector<ManText>& texts() {
          "phyllite recipe --explain bedding.spacing"},
         {"A recipe checked and completed:", "phyllite recipe examples/lab/brazilian.toml"}}},
       {"contact",
-       "Drives one contact of two discs along a path by the code that the tests run, and prints per step "
-       "where it "
-       "is, forces and moment by the law and by its closed form, dissipated and stored energy, and where it "
-       "broke. Without a law all laws are listed with their parameters. Without --to and --path a path is "
+       "Drives one contact of two discs along a path by the code that the tests run. Prints per step its "
+       "place, forces and moment by the law and by its closed form, energies, and where it broke. Without a "
+       "law all laws are listed with their parameters. Without --to and --path a path is "
        "taken that closes, slides, pulls and turns the contact. The largest difference from the closed form "
        "goes to "
        "standard error.",
@@ -115,19 +113,19 @@ const std::vector<ManText>& texts() {
         {"What is finished, and what came out:", "phyllite study status results/elastic"},
         {"", "phyllite study effects results/elastic"}}},
       {"elastic",
-       "Solves the elastic problem of every specimen of a recipe directly, without time steps: E and "
-       "Poisson's "
-       "ratio over the inclination, the macro stiffnesses K_n and K_s of its joints, and sensitivities to "
-       "micro-parameters. Writes no file.",
+       "Solves the elastic problem of every specimen of a recipe directly, without time steps. Prints E and "
+       "Poisson's ratio over the inclination, macro stiffnesses K_n and K_s of the joints, and sensitivities "
+       "to micro-parameters. Writes no file.",
        {},
        {{"", "phyllite elastic examples/pfc2d/specimen.toml"}}},
       {"rock",
        "Laboratory tables before a calibration. A rock is a file in TOML that names a table in CSV: one row "
        "per "
        "angle or test, units in the header.\n\n"
-       "`phyllite rock check` says how the table was understood, doubts values aloud, tells what it can and "
-       "cannot "
-       "determine, which test would determine more, and how a calibration will probably end. `phyllite rock "
+       "`phyllite rock check` begins with its doubts and says how the table was understood. It lists what "
+       "the "
+       "table determines, which test would determine more, and how a calibration will probably end. "
+       "`phyllite rock "
        "twin` makes a table from a recipe, whose parameters are thereby known.",
        {{"NAME.toml, NAME.csv", "written by `phyllite rock new NAME`, with comments"}},
        {{"A rock to be filled in:", "phyllite rock new slate"},
@@ -149,13 +147,12 @@ const std::vector<ManText>& texts() {
        {{"", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},
         {"", "phyllite replay results/pfc2d"}}},
       {"calibrate",
-       "Finds the micro-parameters by which a model meets the table of a rock, moduli first (by direct "
-       "elastic "
-       "solutions), then strengths (by laboratory tests and a surrogate of them), with intervals of 95 %. "
-       "The "
-       "result is run on packings that the fit has not seen, each angle is predicted without its own data, "
-       "and a "
-       "verdict says whether the table is met, except for what, or why not. It takes minutes to hours: "
+       "Finds the micro-parameters by which a model meets the table of a rock, with intervals of 95 %. "
+       "Moduli "
+       "come first, by direct elastic solutions, then strengths, by laboratory tests and a surrogate. The "
+       "result is tested on packings that the fit has not seen. Each strength is predicted without its own "
+       "value. A verdict says whether the table is met, except for what, or why not. It takes minutes to "
+       "hours: "
        "`phyllite rock check` foretells the end in a second.\n\n"
        "An interrupted calibration goes on with --resume. Exit status 1 says that the rock is out of reach "
        "of the "
@@ -197,11 +194,9 @@ const std::vector<ManText>& texts() {
        {{"NAME-specimen.p2dat, NAME-test.p2dat", "the specimen; the test, which calls it"}},
        {{"", "phyllite export pfc2d examples/pfc2d/specimen.toml --out pfc2d"}}},
       {"compare",
-       "Reads a stress-strain curve of another program or of a laboratory, whose columns are found by name "
-       "and whose "
-       "units stand in brackets in the header, and prints moduli, strength and strain at the peak beside "
-       "those "
-       "of a result, all by the same definitions. Uniaxial compression only.",
+       "Reads a stress-strain curve of another program or of a laboratory. Columns are found by name, units "
+       "stand in brackets in the header. Prints moduli, strength and strain at the peak beside a result's, "
+       "all by the same definitions. Uniaxial compression only.",
        {},
        {{"A result beside itself:", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},
         {"", "phyllite compare results/pfc2d/intact/history.csv results/pfc2d/intact"}}},
@@ -237,12 +232,10 @@ const std::vector<ManText>& texts() {
        "`phyllite` at "
        "the key Tab. The Debian package and `make install` put the scripts where the shells look for them. "
        "By hand, "
-       "in bash, `source <(phyllite completion bash)` for this session; in zsh the script is a file named "
-       "_phyllite "
-       "in a folder of $fpath; in fish `phyllite completion fish | source`.\n\n"
-       "With words behind -- it answers the script: the first line says what else to offer (words: nothing, "
-       "files, "
-       "folders), every other line is a word, and behind two spaces what it means.",
+       "in bash, `source <(phyllite completion bash)` for this session. In zsh the script is a file named "
+       "_phyllite in a folder of $fpath. In fish `phyllite completion fish | source`.\n\n"
+       "With words behind -- it answers the script. The first line says what else to offer: nothing (words), "
+       "files or folders. Every other line is a word, and behind two spaces its meaning.",
        {},
        {{"", "phyllite completion bash"},
         {"What bash would offer:", "phyllite completion bash -- study --"}}}};
@@ -262,9 +255,8 @@ const std::vector<ManEntry>& exit_codes() {
   static const std::vector<ManEntry> all = {
       {"0", "all well"},
       {"1",
-       "a test did not succeed (no peak, unstable, untrusted), a check or comparison failed, a verdict is "
-       "out of "
-       "reach, or the verb was stopped by Ctrl-C, SIGTERM or SIGHUP; what is finished is kept"},
+       "a test did not succeed (no peak, unstable, untrusted), a check or comparison failed, or a verdict is "
+       "out of reach; or a signal stopped the verb, and finished tests are kept"},
       {"2", "the input cannot be used; every problem is told before anything runs"},
       {"3", "a file cannot be read or written, or standard output could not take everything"},
       {"4", "an error of the program itself"}};

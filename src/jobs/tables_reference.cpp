@@ -6,6 +6,7 @@
 
 #include "base/units.hpp"
 #include "io/table.hpp"
+#include "records/measured_property.hpp"
 #include "rock/columns.hpp"
 
 namespace phy::jobs {
@@ -53,9 +54,19 @@ the standard deviation of single specimens. `[columns]` in the rock file goes be
 |---|---|---|---|
 )";
 
-constexpr const char* units_head = R"(
+constexpr const char* tolerances_head = R"(
 E_t and E_tan are tangents at half of UCS, E_s and E_sec secants there, E_av averages, E_dyn dynamic moduli.
 
+## Tolerances
+
+How a calibration judges each property. A value may miss by its tolerance, or by chance where that is wider. A
+margin above the widest resolves nothing. Usual scatter stands for single specimens until the table tells.
+
+| property | tolerance | widest margin | usual scatter | test of the model |
+|---|---|---|---|---|
+)";
+
+constexpr const char* units_head = R"(
 ## Units
 
 The same units are read in tables, recipes, curves, on the page and in Python. Case, blanks, dots and
@@ -66,6 +77,11 @@ and the check says so.
 |---|---|---|---|
 )";
 
+/// "3 %", or the difference itself of a property that is compared as it is.
+std::string share(const MeasuredProperty& property, double value) {
+  return property.absolute ? fmt::format("{:g}", value) : fmt::format("{:g} %", 100.0 * value);
+}
+
 }  // namespace
 
 std::string tables_reference() {
@@ -74,6 +90,10 @@ std::string tables_reference() {
   text += fmt::format("| limit | {} columns |\n", io::most_table_columns) + columns_head;
   for (const rock::ColumnRow& c : rock::column_rows())
     text += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, fmt::join(c.others, ", "));
+  text += tolerances_head;
+  for (const MeasuredProperty& p : measured_properties())
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, share(p, p.tolerance), share(p, p.coarsest),
+                        share(p, p.usual_scatter), p.test == nullptr ? "direct solution" : p.test);
   text += units_head;
   for (const UnitRow& u : unit_rows())
     text += fmt::format("| {} | `{}` | {} | {} |\n", to_string(u.dimension), u.name, u.spellings, u.size);

@@ -231,8 +231,8 @@ void add_rule(List& l) {
   using B = BeddingRecipe;
   l.choice(
       "bedding", "rule", {"crossing", "zone", "oriented"},
-      "contacts that become joints: centres on opposite sides of a plane, contact point within the zone, "
-      "or (no planes) normal near that of the set",
+      "contacts that become joints: centres on two sides of a plane, point within the zone, or normal near "
+      "the set's",
       &B::rule);
   l.boolean(
        "bedding", "bridges",
@@ -260,11 +260,11 @@ void add_rule(List& l) {
              "thickness of a layer about each plane whose matrix differs; 0: none; not with oriented",
              &B::layer_thickness)
       .quiet = true;
-  l.number("bedding", "layer_stiffness", 0.01, 100, "", "E_c and E_b in the layers over those of the matrix",
+  l.number("bedding", "layer_stiffness", 0.01, 100, "", "E_c and E_b in the layers over the matrix's",
            &B::layer_stiffness)
       .quiet = true;
-  l.number("bedding", "layer_strength", 0.01, 100, "",
-           "sigma_c and tau_c in the layers over those of the matrix", &B::layer_strength)
+  l.number("bedding", "layer_strength", 0.01, 100, "", "sigma_c and tau_c in the layers over the matrix's",
+           &B::layer_strength)
       .quiet = true;
 }
 
@@ -335,7 +335,7 @@ void add_test(List& l) {
   l.number("test", "stop_at", 0, 0.99, "", "the test ends when the stress falls to this fraction of the peak",
            part, &T::stop_at);
   l.number("test", "post_peak", 0, 10, "",
-           "the test ends when the strain exceeds that of the peak by this fraction; 0: no such limit", part,
+           "the test ends when the strain exceeds the peak's by this fraction; 0: no such limit", part,
            &T::post_peak);
   l.number("test", "max_strain", 1e-5, 0.2, "",
            "the test ends at this axial strain at the latest (direct_shear: displacement over width)", part,

@@ -44,25 +44,22 @@ const Fields& rock_fields() {
         rock_key(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
     reading.choices = {"plane stress", "plane strain"};
     reading.otherwise = "\"plane stress\"";
-    Field E_is =
-        rock_key(K::choice, "E_is",
-                 "what the table's E is; without UCS, and without E under confinement, it is compared "
-                 "at small strain whatever it is");
+    Field E_is = rock_key(K::choice, "E_is",
+                          "slope that the table's E is; without UCS and confined E compared at small strain");
     for (const ModulusReading r :
          {ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
           ModulusReading::secant_at_peak, ModulusReading::small_strain})
       E_is.choices.emplace_back(to_string(r));
     E_is.otherwise = "\"tangent 50 %\"";
     Field layers = rock_key(K::choice, "layers",
-                            "what makes the model's layers: joints on planes, directions of the bonds, both, "
-                            "joints on a share of the planes (rock bridges), or what predicts best; with a "
-                            "recipe what that has");
+                            "model of the layers: joints on planes, directions of the bonds, both, or rock "
+                            "bridges; \"choose\": the best predictor");
     for (int i = 0; i < n_layer_models; ++i)
       layers.choices.emplace_back(to_string(static_cast<LayerModel>(i)));
     layers.otherwise = "\"choose\"";
     Field matrix = rock_key(K::choice, "matrix",
-                            "what holds the grains together, flat joints where UCS is many times the tensile "
-                            "strength, or what predicts best; with a recipe what that has");
+                            "bonds of the grains; flat joints where UCS is many times the tension; with a "
+                            "recipe the recipe's");
     matrix.choices = {"choose", "parallel_bond", "flat_joint"};
     matrix.otherwise = "\"choose\"";
     Field confining =
@@ -71,8 +68,8 @@ const Fields& rock_fields() {
     confining.otherwise.clear();
     Field grain_size = as_in_recipe(
         "packing.radius_min", "", "grain_size",
-        "mean diameter of the model's grains, radii in proportion; default: those of the paper's specimen. "
-        "K_Ic is fitted only where this or a recipe states it");
+        "mean diameter of the model's grains; default: as many as in the paper's specimen. K_Ic is fitted "
+        "only with it or a recipe");
     grain_size.otherwise.clear();
     Field column = rock_key(K::choice, "\"header\"",
                             "what a column of the table holds, by its header; \"-\" passes it over");
@@ -95,8 +92,7 @@ const Fields& rock_fields() {
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
         as_in_recipe("bedding.spacing", "bedding", "spacing",
-                     "distance of the planes of bedding or foliation; default on specimens of another size: "
-                     "in proportion to the paper's; with a recipe what that has"),
+                     "distance of the planes; default: in proportion to the paper's specimen"),
         as_in_recipe(
             "test.disc_diameter", "brazilian", "diameter",
             "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
