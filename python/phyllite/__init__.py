@@ -455,25 +455,29 @@ class Calibration:
         return f"<phyllite.Calibration of \"{self._record.name}\": {self.verdict.status}>"
 
 
-def calibrate(rock: Union[Rock, Path], out: Optional[Path] = None, *, elastic: bool = False, method: str = "posterior",
-              matrix: str = "", effort: str = "normal", max_tests: int = 2000, with_untrusted: bool = False,
-              resume: bool = False, threads: int = 0, progress: ProgressFunction = None) -> Calibration:
+def calibrate(rock: Union[Rock, Path], out: Optional[Path] = None, *, threads: int = 0,
+              progress: ProgressFunction = None, **options: Any) -> Calibration:
     """Micro-parameters from a laboratory table, verified on unseen packings, with a verdict (docs/calibration.md).
 
-    rock: a Rock, or the name of its file. out: a folder as `phyllite calibrate` leaves it; every test is kept there as soon as it is finished, and after
-    Ctrl-C the same call with resume=True goes on. elastic: the moduli alone. method: "posterior", or "sequence", the
-    paper's way. matrix: "parallel_bond", "flat_joint" or "choose", whatever the rock says. effort: "quick", "normal" or
-    "thorough", the tests that the search of strengths takes. max_tests: budget of tests in compression. with_untrusted:
-    also count tests that are not to be trusted (docs/reliability.md).
+    rock: a Rock, or the name of its file. out: a folder as `phyllite calibrate` leaves it; every test is kept there as
+    soon as it is finished, and after Ctrl-C the same call with resume=True goes on. Without it nothing is kept.
     """
-    for name, value, choices in (("method", method, ("posterior", "sequence")),
-                                 ("matrix", matrix, ("", "parallel_bond", "flat_joint", "choose")),
-                                 ("effort", effort, ("quick", "normal", "thorough"))):
-        if value not in choices:
-            raise InputError(f"{name} = {value!r}: expected one of " + ", ".join(filter(None, choices)))
-    options = {"out": _text(out), "elastic": elastic, "method": method, "matrix": matrix, "effort": effort,
-               "max_tests": max_tests, "with_untrusted": with_untrusted, "resume": resume}
-    return Calibration(_core.calibrate(_rock(rock, "calibrate")._record, options, threads, _teller(progress)))
+    given = {name: value for name, value in options.items() if value is not None}
+    _inspect.signature(calibrate).bind(rock, out, **given)  # an argument that there is not
+    return Calibration(_core.calibrate(_rock(rock, "calibrate")._record, {**given, "out": _text(out)}, threads,
+                                       _teller(progress)))
+
+
+def _with_options(function: Any, options: Any) -> None:
+    """The options of a job in signature and documentation of its function."""
+    fixed = [p for p in _inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
+    new = [row for row in options if row[0] not in {p.name for p in fixed}]
+    function.__signature__ = _inspect.Signature(fixed + [
+        _inspect.Parameter(name, _inspect.Parameter.KEYWORD_ONLY, default=default) for name, default, _, _ in new])
+    function.__doc__ += "\n" + "".join(f"    {name}: {meaning} ({allowed})\n" for name, _, allowed, meaning in new)
+
+
+_with_options(calibrate, _core.calibration_options())
 
 
 # ---- one contact

@@ -37,4 +37,10 @@ Problem option_problem(std::string_view word, std::string value, std::string exp
   return {spelling().place, option(word), std::move(value), std::move(expected), std::move(remedy)};
 }
 
+std::string option_text(const OptionValue& value) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
+  if (const auto* word = std::get_if<std::string>(&value)) return word->empty() ? "not given" : *word;
+  return std::get<bool>(value) ? "on" : "off";
+}
+
 }  // namespace phy

@@ -1,8 +1,10 @@
 // Options of a job in messages. A room knows an option by one word; the front end that a person uses writes
 // it as it is written there: "max-tests" is --max-tests at the command line and max_tests in Python.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "base/check.hpp"
 
@@ -25,5 +27,15 @@ std::string option(std::string_view word);
 std::string option_set(std::string_view word, std::string_view value = {});
 /// What is wrong with the value of an option.
 Problem option_problem(std::string_view word, std::string value, std::string expected, std::string remedy);
+
+/// A switch, a whole number, or a word, which is empty where none was given.
+using OptionValue = std::variant<bool, std::int64_t, std::string>;
+/// "on" or "off", "2000", "quick"; "not given".
+std::string option_text(const OptionValue& value);
+
+struct SetOption {
+  std::string key;  ///< in data: "max_tests"
+  OptionValue value;
+};
 
 }  // namespace phy

@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/embedded.hpp"
+#include "gui/options.hpp"
 #include "gui/project.hpp"
 #include "gui/recipes.hpp"
 #include "io/file.hpp"
@@ -232,6 +233,7 @@ Json Api::project() {
       {"choices",
        {{"E_is", choices_of("E_is")}, {"layers", choices_of("layers")}, {"matrix", choices_of("matrix")}}},
       {"columns", choices_of("columns.\"header\"")},
+      {"options", options_json()},
       {"rocks", std::move(rocks)},
       {"kinds", kinds_json()},
       {"keys", keys_json()}};
@@ -288,6 +290,7 @@ Json Api::calibration(const std::string& name) {
   const Json result = finished ? json_in(path_in(folder, "calibration.json")) : Json(nullptr);
   return {{"state", state},
           {"command", here ? log.command : command_of(jobs::words_of(next))},
+          {"resumes", next.resume},
           {"folder", folder},
           {"next", next_calibration_of(name)},
           {"seconds", process != 0 ? Json(jobs::seconds_since_lock(folder)) : Json(nullptr)},
@@ -368,14 +371,6 @@ void Api::check_started(const std::string& folder, const std::string& log) {
   throw InputError(Problem{said.substr(said.find('\n') + 1), "", "", "", ""});
 }
 
-/// A whole number as the command takes it; `otherwise` where it is absent.
-std::int64_t max_tests_of(const Json& asked, std::int64_t otherwise) {
-  if (!asked.contains("max_tests") || asked["max_tests"].is_null()) return otherwise;
-  if (!asked["max_tests"].is_number_integer() || asked["max_tests"] < 1)
-    throw InputError(Problem{"", "--max-tests", asked["max_tests"].dump(), "a whole number from 1 on", ""});
-  return asked["max_tests"].get<std::int64_t>();
-}
-
 Json Api::calibrate(const Json& asked) {
   const std::string name = asked.at("name");
   check_name(name);
@@ -384,14 +379,11 @@ Json Api::calibrate(const Json& asked) {
   const std::string now = calibration_of(name);
   if (work_in(now).process != 0)
     throw InputError(Problem{"", now, "", "one calibration of a rock at a time", "stop the other first"});
-  jobs::CalibrationRequest request;
   const auto earlier = jobs::request_in(now);
-  if (earlier && gui::get(asked, "resume", false)) {
-    request = *earlier, request.resume = true;
-  } else {
-    request.max_tests = max_tests_of(asked, request.max_tests);
-    request.elastic = gui::get(asked, "elastic", false);
-  }
+  const bool resume = earlier && gui::get(asked, "resume", false);
+  jobs::CalibrationRequest request =
+      resume ? *earlier : request_from(gui::get(asked, "options", Json::object()));
+  request.resume = resume;
   request.rock = name + ".toml";
   request.out = gui::get(asked, "anew", false) ? next_calibration_of(name) : now;
   check_inside(request.out);

@@ -72,15 +72,18 @@ std::optional<Problem> missing_stress(const Recipe& recipe) {
   return Problem{"", kept_key(test), "", "a stress above 0, such as 10 MPa", ""};
 }
 
+Json field_json(const Field& f) {
+  Json key = {
+      {"path", f.path()}, {"meaning", f.meaning}, {"range", range_text(f)}, {"kind", kind_in_words(f.kind)}};
+  if (!f.choices.empty()) key["choices"] = f.choices;
+  return key;
+}
+
 Json keys_json() {
   Json keys = Json::array();
   for (const Field& f : recipe_fields()) {
     if (f.table != test_table) continue;
-    Json key = {{"path", f.path()},
-                {"meaning", f.meaning},
-                {"range", range_text(f)},
-                {"kind", kind_in_words(f.kind)}};
-    if (!f.choices.empty()) key["choices"] = f.choices;
+    Json key = field_json(f);
     if (!f.only_of.empty()) key["only_of"] = f.only_of;
     keys.push_back(std::move(key));
   }

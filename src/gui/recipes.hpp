@@ -6,11 +6,15 @@
 #include <string>
 
 #include "base/check.hpp"
+#include "records/field.hpp"
 #include "records/recipe.hpp"
 
 namespace phy::gui {
 
 using Json = nlohmann::ordered_json;
+
+/// What a control for a key is made of.
+Json field_json(const Field& field);
 
 /// The keys that a test may choose, and the laboratory tests: what a form is made of, from the one list.
 Json keys_json();

@@ -43,7 +43,12 @@ const std::vector<FileKind>& file_kinds() {
        {"line"},
        {},
        "a list of published lines",
-       "Name it in a study, under regressions: "}};
+       "Name it in a study, under regressions: "},
+      {"request of a calibration",
+       {"max_tests"},
+       {},
+       "what a calibration was asked for",
+       "To go on with that: phyllite calibrate ROCK --resume --out FOLDER, the folder of "}};
   return kinds;
 }
 

@@ -128,7 +128,7 @@ std::string verb_for(const fs::path& folder) {
       {"study.toml", "this is a study: `phyllite study status FOLDER`, `phyllite study effects FOLDER`"},
       {"calibration.json",
        "this is a calibration: `phyllite figure FOLDER` draws it, its tables are in tables.txt"},
-      {"calibration-of.txt",
+      {"request.toml",
        "this is a calibration without an end: `phyllite calibrate ROCK --out FOLDER --resume` goes on with "
        "it"},
       {"envelope.csv", "this is an envelope: name one of its folders sigma_3_..."}};

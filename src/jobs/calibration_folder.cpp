@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
@@ -35,36 +34,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-auto find_effort(std::string_view name) {
-  return std::find_if(calibrate::efforts.begin(), calibrate::efforts.end(),
-                      [&](const calibrate::Effort& e) { return e.name == name; });
-}
-
 calibrate::Effort effort_of(const CalibrationRequest& request) {
-  const auto* const effort = find_effort(request.effort);
-  PHY_CHECK(effort != calibrate::efforts.end(), "whoever reads an effort has looked whether it is one");
-  const std::string other = request.by_sequence() ? option_set("method", "sequence")
-                            : request.elastic     ? option_set("elastic")
-                                                  : "";
-  if (!other.empty() && !request.of_usual_effort())
+  const auto* const effort = std::find_if(calibrate::efforts.begin(), calibrate::efforts.end(),
+                                          [&](const auto& e) { return e.name == request.effort; });
+  PHY_CHECK(effort != calibrate::efforts.end(), "the list of options admits efforts alone");
+  const std::string other = request.method == "sequence" ? option_set("method", "sequence")
+                            : request.elastic            ? option_set("elastic")
+                                                         : "";
+  if (!other.empty() && effort->name != calibrate::normal_effort.name)
     throw InputError(option_problem("effort", request.effort, "none beside " + other,
                                     "it is that of a search of strengths, which is not made there"));
   return *effort;
 }
 
-/// Everything that the answer follows from.
-std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
-  const Rock& rock = evidence.rock;
+std::string hash_of_table(const calibrate::Evidence& evidence) {
   Hash hash;
-  hash.add(rock.name);
-  hash.add(keys_not_by_default(rock.model));
-  hash.add(rock.bedded), hash.add(static_cast<int>(rock.E_is)), hash.add(static_cast<int>(rock.layers));
-  hash.add(rock.matrix ? static_cast<int>(*rock.matrix) : -1);
-  hash.add(request.elastic), hash.add(request.max_tests);
-  if (!evidence.compared.empty()) hash.add(std::string("compared"));
-  if (request.with_untrusted) hash.add(true);
-  if (request.by_sequence()) hash.add(request.method);
-  if (!request.of_usual_effort()) hash.add(request.effort);
   for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
     hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
@@ -73,50 +57,50 @@ std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRe
   return hash.text();
 }
 
-/// Options beside the rock and the folder.
-std::vector<std::string> options_in_words(const CalibrationRequest& request) {
-  std::vector<std::string> words;
-  if (request.max_tests != CalibrationRequest().max_tests)
-    words = {"--max-tests", fmt::format("{}", request.max_tests)};
-  if (!request.matrix.empty()) words.insert(words.end(), {"--matrix", request.matrix});
-  if (request.by_sequence()) words.insert(words.end(), {"--method", "sequence"});
-  if (!request.of_usual_effort()) words.insert(words.end(), {"--effort", request.effort});
-  if (request.elastic) words.emplace_back("--elastic");
-  if (request.with_untrusted) words.emplace_back("--with-untrusted");
-  return words;
+/// Of the recipe, and of what the rock file says of table and model.
+std::string hash_of_model(const calibrate::Evidence& evidence) {
+  const Rock& rock = evidence.rock;
+  Hash hash;
+  hash.add(rock.name);
+  hash.add(keys_not_by_default(rock.model));
+  hash.add(rock.bedded), hash.add(static_cast<int>(rock.E_is)), hash.add(static_cast<int>(rock.layers));
+  hash.add(rock.matrix ? static_cast<int>(*rock.matrix) : -1);
+  hash.add(evidence.compared.empty());
+  return hash.text();
 }
 
-constexpr const char* label_name = "calibration-of.txt";
-constexpr const char* label_options = "), options: ";
+std::string path_of_request(const std::string& folder) { return (fs::path(folder) / request_file).string(); }
 
-/// What a folder holds, in words; the fingerprint of the rock stands in the last line.
-std::string label(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
-  return fmt::format("calibration of \"{}\" ({}{}{}\n{}\n", evidence.rock.name, comment_text(request.rock),
-                     label_options, fmt::join(options_in_words(request), " "),
-                     fingerprint(evidence, request));
+std::optional<KeptRequest> kept_in(const std::string& folder) {
+  const std::string file = path_of_request(folder);
+  try {
+    const auto text = io::read_if_file(file, largest_document);
+    return text ? std::optional(read_kept(*text, file)) : std::nullopt;
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
-/// Throws InputError where --resume would write one calibration over another.
-void check_same(const std::string& file, const std::string& expected, const CalibrationRequest& request) {
-  const std::string found = io::read_if_file(file, largest_document).value_or("");
-  const auto key = [](const std::string& text) {  // the rock file may have moved
-    const std::size_t end = text.find('\n');
-    return end == text.npos ? "" : text.substr(end + 1);
+/// Throws InputError where `wanted` would be written over another calibration.
+void check_same(const KeptRequest& wanted) {
+  const std::string& folder = wanted.request.out;
+  const std::string afresh = "another " + option("out") + " begins afresh";
+  const auto refuse = [&](const std::string& expected) {
+    throw InputError(option_problem("out", folder, expected, afresh));
   };
-  if (!found.empty() && key(found) == key(expected)) return;
-  const std::string holds = found.empty() ? "a calibration of an earlier version of this program"
-                                          : found.substr(0, found.find('\n'));
-  throw InputError(option_problem("out", request.out,
-                                  "a folder of this same calibration for " + option_set("resume"),
-                                  fmt::format("it holds: {}; its table, recipe or options differ: another {} "
-                                              "begins afresh",
-                                              holds, option("out"))));
+  const auto begun = kept_in(folder);
+  if (!begun) refuse(fmt::format("a folder with {}, as this program writes it", request_file));
+  if (const auto problems = differences(wanted.request, begun->request); !problems.empty())
+    throw InputError(problems);
+  const std::string of = fmt::format("; it is of \"{}\" ({})", begun->name, begun->request.rock);
+  if (wanted.table != begun->table) refuse("a folder begun with this table" + of);
+  if (wanted.model != begun->model) refuse("a folder begun with this recipe and rock file" + of);
 }
 
 /// All that is written beside the store.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> files;
-  for (const char* name : {label_name, "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
+  for (const char* name : {request_file, "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
                            "calibration.json", "tables.txt", "report.html"})
     files.push_back((fs::path(folder) / name).string());
   for (std::size_t k = 0; k < calibrate::ensemble_size; ++k) files.push_back(ensemble_file(folder, k));
@@ -133,33 +117,11 @@ std::string tables_of(const Calibration& c) {
 
 }  // namespace
 
-std::vector<std::string> words_of(const CalibrationRequest& request) {
-  std::vector<std::string> words = {"calibrate", request.rock, "--out", request.out};
-  for (std::string& option : options_in_words(request)) words.push_back(std::move(option));
-  if (request.resume) words.emplace_back("--resume");
-  return words;
-}
-
 std::optional<CalibrationRequest> request_in(const std::string& folder) {
-  const auto text = io::read_if_file((fs::path(folder) / label_name).string(), largest_document);
-  if (!text) return {};
-  const std::string line = text->substr(0, text->find('\n'));
-  const std::size_t open = line.find("\" ("), end = line.rfind(label_options);
-  if (open == line.npos || end == line.npos) return {};
-  CalibrationRequest request;
-  request.rock = line.substr(open + 3, end - open - 3);
-  request.out = folder;
-  std::istringstream words(line.substr(end + std::string_view(label_options).size()));
-  for (std::string word; words >> word;) {
-    if (word == "--max-tests") words >> request.max_tests;
-    if (word == "--matrix") words >> request.matrix;
-    if (word == "--method") words >> request.method;
-    if (word == "--effort") words >> request.effort;
-    request.elastic |= word == "--elastic";
-    request.with_untrusted |= word == "--with-untrusted";
-  }
-  if (find_effort(request.effort) == calibrate::efforts.end()) return {};  // damaged
-  return request;
+  auto kept = kept_in(folder);
+  if (!kept) return {};
+  kept->request.out = folder;
+  return kept->request;
 }
 
 Rock with_matrix(Rock rock, const CalibrationRequest& request) {
@@ -178,7 +140,7 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request) {
 calibrate::CalibrationOptions options_of(const CalibrationRequest& request) {
   calibrate::CalibrationOptions options;
   options.effort = effort_of(request);
-  if (request.by_sequence()) options.method = CalibrationMethod::sequence;
+  if (request.method == "sequence") options.method = CalibrationMethod::sequence;
   options.elastic_only = request.elastic, options.max_tests = request.max_tests;
   return options;
 }
@@ -194,10 +156,9 @@ void check_calibration_outputs(const std::string& folder) {
 }
 
 BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
-  const std::string text = label(evidence, request);
+  const KeptRequest kept{request, evidence.rock.name, hash_of_table(evidence), hash_of_model(evidence)};
   const fs::path folder(request.out);
   std::string store = (folder / "runs.sqlite").string();
-  const std::string label_file = (folder / label_name).string();
   check_calibration_outputs(request.out);
   const bool begun =
       fs::exists(folder / "calibration.json") || (fs::exists(store) && study::Store(store).size() > 0);
@@ -205,7 +166,7 @@ BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const Ca
     throw InputError(option_problem(
         "out", request.out, "a folder without an earlier calibration",
         fmt::format("{} goes on with it; another {} begins afresh", option_set("resume"), option("out"))));
-  if (begun) check_same(label_file, text, request);
+  if (begun) check_same(kept);
   if (const std::string others = specimens_in(request.out); !begun && holds_results(others))
     throw InputError(
         option_problem("out", request.out, "a folder without " + others,
@@ -213,7 +174,7 @@ BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const Ca
   if (std::optional<Problem> p = problem_of_page(request.out, PageOf::calibration); p && !begun)
     throw InputError(*std::move(p));
   FolderLock lock(request.out);
-  io::write_output(label_file, text);
+  io::write_output(path_of_request(request.out), kept_text(kept));
   return {std::move(store), std::move(lock)};
 }
 

@@ -1,32 +1,16 @@
 // A calibration in a folder: begun or taken up again, and all that it leaves there.
 #pragma once
-#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "calibrate/calibration.hpp"
+#include "jobs/calibration_options.hpp"
 #include "jobs/folder_lock.hpp"
 
 namespace phy::jobs {
 
-/// What is asked of a calibration, in the words of the command line.
-struct CalibrationRequest {
-  std::string rock;  ///< the file, or what stands in its place in messages
-  std::string out;   ///< folder; empty: nothing is kept
-  std::string method = "posterior", matrix = {};
-  std::string effort{calibrate::normal_effort.name};
-  bool elastic = false, resume = false, with_untrusted = false;
-  std::int64_t max_tests = calibrate::CalibrationOptions().max_tests;
-  bool by_sequence() const { return method == "sequence"; }
-  bool of_usual_effort() const { return effort == calibrate::normal_effort.name; }
-};
-
-/// The words that ask for it, after `phyllite`.
-std::vector<std::string> words_of(const CalibrationRequest& request);
-/// What was asked of the calibration that a folder holds, to go on with; nothing: it holds none. `rock` is as
-/// it was named then.
+/// What was asked of the calibration that a folder holds, to go on with; nothing: it holds none, or a damaged
+/// one. `rock` is as it was named then.
 std::optional<CalibrationRequest> request_in(const std::string& folder);
 
 /// The rock with the matrix that is asked for. Throws InputError where that cannot be.

@@ -11,6 +11,7 @@
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "jobs/another_recipe.hpp"
+#include "jobs/calibration_options.hpp"
 #include "records/test_description.hpp"
 #include "report/page.hpp"
 
@@ -107,7 +108,7 @@ std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
         fmt::format("it holds {}, and {} would overwrite its report.html. Choose another {}", what, own_name,
                     option("out")));
   };
-  if (own != PageOf::calibration && (has("calibration.json") || has("calibration-of.txt")))
+  if (own != PageOf::calibration && (has("calibration.json") || has(request_file)))
     return problem("a calibration");
   if (own != PageOf::study && has("study.toml")) return problem("a study");
   if (own != PageOf::run && holds_results(folder)) return problem("the results of a run");

@@ -36,7 +36,7 @@ TEST_F(FolderOfARun, HasOnePage) {
 }
 
 TEST_F(FolderOfARun, IsNotThatOfACalibrationThatWasStopped) {
-  io::write_file(at("folder/calibration-of.txt"), "");
+  io::write_file(at("folder/request.toml"), "");
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("it holds a calibration")));
 }
 

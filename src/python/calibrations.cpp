@@ -5,9 +5,8 @@
 #include <filesystem>
 
 #include "base/clock.hpp"
-#include "calibrate/calibration.hpp"
 #include "io/regressions.hpp"
-#include "jobs/calibration_folder.hpp"
+#include "jobs/calibration_job.hpp"
 #include "jobs/machine.hpp"
 #include "jobs/report.hpp"
 #include "jobs/study_folder.hpp"
@@ -21,38 +20,39 @@
 namespace phy::python {
 namespace {
 
+py::object value_of(const OptionValue& value) {
+  if (value == OptionValue(std::string())) return py::none();
+  return std::visit([](const auto& v) -> py::object { return py::cast(v); }, value);
+}
+
+/// Name, default, what it may be and meaning of every argument.
+py::list calibration_options() {
+  py::list rows;
+  for (const jobs::CalibrationOption& o : jobs::calibration_options()) {
+    const Field field = o.field();
+    rows.append(py::make_tuple(o.key, value_of(o.value(jobs::CalibrationRequest())), range_text(field),
+                               field.meaning));
+  }
+  return rows;
+}
+
 Calibration calibrate(const NamedRock& rock, const py::dict& options, int threads,
                       const py::object& progress) {
-  jobs::CalibrationRequest request;
+  jobs::CalibrationRequest request = jobs::request_of(tree_of(options, ""), "");
   request.rock = rock.source;
-  request.out = options["out"].cast<std::string>(), request.method = options["method"].cast<std::string>();
-  request.matrix = options["matrix"].cast<std::string>(), request.elastic = options["elastic"].cast<bool>();
-  request.effort = options["effort"].cast<std::string>();
-  request.resume = options["resume"].cast<bool>(),
-  request.max_tests = options["max_tests"].cast<std::int64_t>();
-  request.with_untrusted = options["with_untrusted"].cast<bool>();
   Calibration result;
   run_released(progress, [&](Watch& watch) {
-    const calibrate::Evidence evidence(jobs::with_matrix(rock.rock, request));
-    calibrate::SimulatorOptions machine;
-    machine.threads = jobs::n_threads(threads), machine.stop = &watch.stop;
-    machine.with_untrusted = request.with_untrusted;
-    calibrate::CalibrationOptions how = jobs::options_of(request);
-    calibrate::check_possible(evidence, how);
-    std::optional<jobs::BegunCalibration> begun;
-    jobs::SpecimenFolder specimens(request.out);
-    if (!request.out.empty())
-      begun.emplace(jobs::begin_calibration(evidence, request)), machine.store = begun->store,
-                                                                 machine.gallery = &specimens;
-    machine.on_progress = [&](const calibrate::TestProgress& p) {
+    jobs::CalibrationJob job(rock.rock, request);
+    jobs::CalibrationHooks hooks;
+    hooks.threads = jobs::n_threads(threads), hooks.stop = &watch.stop;
+    hooks.tests = [&](const calibrate::TestProgress& p) {
       watch.show({jobs::progress_text(p), p.n_done, p.n_total});
     };
-    how.listener.say = [&](const std::string& text) { watch.say(text); };
-    result = calibrate::calibrate(evidence, how, *calibrate::make_simulator(machine));
+    hooks.say = [&](const std::string& text) { watch.say(text); };
+    result = job.run(hooks);
     if (request.out.empty() || result.verdict.status == VerdictStatus::interrupted) return;
-    jobs::write_calibration(request.out, result);
     jobs::write_report(request.out);
-    specimens.check();
+    job.finish();
   });
   return result;
 }
@@ -160,6 +160,7 @@ void add_calibrations(py::module_& m) {
       .def("text", [](const Calibration& c) { return jobs::screen_of(c, 0); })
       .def("json", [](const Calibration& c) { return report::calibration_json(c, PHY_VERSION); })
       .def("save", &save, py::arg("folder"));
+  m.def("calibration_options", &calibration_options);
   m.def("calibrate", &calibrate, py::arg("rock"), py::arg("options"), py::arg("threads"),
         py::arg("progress"));
   m.def("study", &run_study, py::arg("file"), py::arg("keys"), py::arg("recipe"), py::arg("folder"),

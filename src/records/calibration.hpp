@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/nan.hpp"
+#include "base/option.hpp"
 #include "base/stats.hpp"
 #include "records/lab_tests.hpp"
 #include "records/quality.hpp"
@@ -96,6 +97,7 @@ struct PlaneStiffness {
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;
+  std::vector<SetOption> asked;  ///< what the user asked for: every option that changes the result
   CalibrationMethod method = CalibrationMethod::posterior;
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding

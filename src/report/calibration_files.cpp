@@ -139,6 +139,8 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["format"] = calibration_format;
   j["program"] = {{"name", "phyllite"}, {"version", version}};
   j["rock"] = c.rock;
+  for (const SetOption& o : c.asked)
+    std::visit([&](const auto& value) { j["asked"][o.key] = value; }, o.value);
   if (c.method == CalibrationMethod::sequence) j["method"] = "sequence";
   if (!c.effort.empty()) j["effort"] = c.effort;
   j["verdict"] = {{"status", to_string(c.verdict.status)},

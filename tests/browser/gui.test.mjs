@@ -189,9 +189,26 @@ test("files that are gone leave what is shown, and are written again", async () 
   await button("Start calibration").waitFor();
 });
 
+test("every option of a calibration has its control, which says what it means and goes into the command", async () => {
+  const project = await page.evaluate(() => fetch("/api/project", { headers: { "X-Phyllite-Token": new URLSearchParams(location.search).get("token") } }).then((r) => r.json()));
+  const section = page.getByRole("region", { name: "Calibration" });
+  const mine = project.options.filter((o) => o.on_page);
+  assert.ok(mine.length >= 6);
+  for (const o of mine) {
+    const control = section.getByLabel(o.title, { exact: true });
+    assert.equal(await section.locator(`[id="${await control.getAttribute("aria-describedby")}"]`).textContent(), o.meaning);
+    const other = o.kind === "choice" ? o.choices.find((c) => c !== o.default) : "72";
+    const set = (value) => (o.kind === "boolean" ? control.setChecked(value) : o.kind === "choice" ? control.selectOption(value) : control.fill(value));
+    await set(o.kind === "boolean" ? true : other);
+    await shown(`phyllite calibrate slate.toml --out slate-calibration ${o.word}${o.kind === "boolean" ? "" : ` ${other}`}`);
+    await set(o.kind === "boolean" ? false : String(o.default));
+  }
+  await shown(/^phyllite calibrate slate.toml --out slate-calibration$/);
+});
+
 test("a calibration is started, watched, stopped, gone on with", async () => {
   await page.getByLabel("Largest number of tests").fill("5,5");
-  await shown("A whole number, 1 or more.");
+  await shown("A whole number, 1 ≤ value ≤ 1000000.");
   await page.getByLabel("Largest number of tests").fill("54");
   await shown("phyllite calibrate slate.toml --out slate-calibration --max-tests 54");
   await button("Start calibration").click();

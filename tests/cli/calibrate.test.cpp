@@ -164,12 +164,18 @@ TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
   write("other.csv", "theta [deg],E [GPa]\n0,17.5\n30,15.6\n60,21.0\n90,47\n");
   const std::string other = write("other.toml", "data = \"other.csv\"\nrecipe = \"start.toml\"\n");
   const std::string more = " --threads 2 --resume --out " + out();
-  for (const std::string& refused : {"calibrate " + other + " --elastic" + more,
-                                     "calibrate " + at("rock.toml") + more, own + " --max-tests 999"}) {
-    ASSERT_EQ(run(refused), 2) << output;
-    EXPECT_THAT(output,
-                testing::AllOf(HasSubstr("\"rock\""), HasSubstr("--elastic"), HasSubstr("another --out")));
-  }
+  const auto refused = [&](const std::string& command, const std::vector<std::string>& texts) {
+    ASSERT_EQ(run(command), 2) << output;
+    for (const std::string& text : texts) EXPECT_THAT(output, HasSubstr(text)) << command;
+    EXPECT_THAT(output, HasSubstr("another --out"));
+  };
+  refused("calibrate " + other + " --elastic" + more, {"with this table", "\"rock\"", "rock.toml"});
+  refused("calibrate " + at("rock.toml") + more, {"--elastic = off: expected on"});
+  refused(own + " --max-tests 999 --matrix flat_joint",
+          {"--max-tests = 999: expected 2000", "--matrix = flat_joint: expected not given"});
+  write("start.toml", read(at("start.toml")) + "[matrix]\nmu = 0.3\n");
+  refused(own, {"with this recipe and rock file"});
+  fs::remove(at("rock.toml")), rock();
   EXPECT_EQ(read(out() + "/calibration.json"), expected);
   ASSERT_THAT(run(own), testing::AnyOf(0, 1)) << output;
   EXPECT_EQ(read(out() + "/calibration.json"), expected);
@@ -187,7 +193,7 @@ TEST_F(CalibrateCli, ACalibrationIsDrawnWithoutAskingForAKind) {
   ASSERT_EQ(run(figure + " --rock " + at("rock.toml")), 2);
   EXPECT_THAT(output, HasSubstr("has its laboratory values already"));
   fs::create_directories(folder / "stopped");
-  write("stopped/calibration-of.txt", "calibration of \"rock\"\n");
+  write("stopped/request.toml", "calibration of \"rock\"\n");
   ASSERT_EQ(run("figure " + at("stopped")), 2);
   EXPECT_THAT(output, HasSubstr("--resume"));
   EXPECT_FALSE(fs::exists(at("a.svg")));

@@ -100,7 +100,8 @@ class Gui : public ProgramTest {
 TEST_F(Gui, WhatThePageStartsIsTheCommandThatItShows) {
   save_rock();
   EXPECT_EQ(calibration()["state"], "new");
-  const std::string command = done("/api/calibrate", {{"name", "shale"}, {"elastic", true}})["command"];
+  const std::string command =
+      done("/api/calibrate", {{"name", "shale"}, {"options", {{"elastic", true}}}})["command"];
   const Json finished = waited();
   EXPECT_EQ(finished["state"], "finished") << finished;
   EXPECT_FALSE(finished["verdict"]["sentence"].get<std::string>().empty());
@@ -116,7 +117,7 @@ TEST_F(Gui, WhatThePageStartsIsTheCommandThatItShows) {
   EXPECT_EQ(read(at("hand/shale-calibration/calibrated.toml")),
             read(fs::path(home) / "shale-calibration/calibrated.toml"));
   // begun afresh, the first one stays
-  done("/api/calibrate", {{"name", "shale"}, {"elastic", true}, {"anew", true}});
+  done("/api/calibrate", {{"name", "shale"}, {"options", {{"elastic", true}}}, {"anew", true}});
   EXPECT_EQ(waited()["folder"], "shale-calibration-2");
   EXPECT_TRUE(fs::exists(fs::path(home) / "shale-calibration/report.html"));
   const Answer report = phy::gui::ask(port, "GET /files/shale-calibration/report.html", known());
@@ -126,7 +127,7 @@ TEST_F(Gui, WhatThePageStartsIsTheCommandThatItShows) {
 
 TEST_F(Gui, ATestIsARecipeAndItsResults) {
   save_rock();
-  done("/api/calibrate", {{"name", "shale"}, {"elastic", true}});
+  done("/api/calibrate", {{"name", "shale"}, {"options", {{"elastic", true}}}});
   waited();
   const Json recipe = done("/api/recipe", {{"name", "shale"},
                                            {"changes",
@@ -151,7 +152,7 @@ TEST_F(Gui, ATestIsARecipeAndItsResults) {
 
 TEST_F(Gui, StoppedAndTakenUpAgainAlsoByAnotherServer) {
   save_rock();
-  done("/api/calibrate", {{"name", "shale"}, {"max_tests", 72}});
+  done("/api/calibrate", {{"name", "shale"}, {"options", {{"max_tests", 72}}}});
   EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}}).status, 400);  // one at a time
   const auto n_done = [&] {
     const Json progress = calibration()["progress"];
@@ -177,13 +178,13 @@ TEST_F(Gui, StoppedAndTakenUpAgainAlsoByAnotherServer) {
 TEST_F(Gui, WhatCannotRunIsRefusedWithItsReason) {
   EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}}).status, 400);  // not saved
   save_rock();
-  const Answer few = post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}});
+  const Answer few = post("/api/calibrate", {{"name", "shale"}, {"options", {{"max_tests", 5}}}});
   EXPECT_EQ(few.status, 400);
   EXPECT_THAT(few.body, HasSubstr("--max-tests = 5"));
   EXPECT_EQ(calibration()["state"], "new");  // and nothing has been begun
   EXPECT_FALSE(fs::exists(fs::path(home) / "shale-calibration"));
-  for (const Json& n : {Json(-5), Json(1.5), Json("many")})
-    EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"max_tests", n}}).status, 400) << n;
+  for (const Json& n : {Json(-5), Json(1.5), Json("many"), Json(nullptr), Json::array({72})})
+    EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"options", {{"max_tests", n}}}}).status, 400) << n;
   EXPECT_EQ(
       post("/api/test", {{"name", "shale"}, {"test", "x"}, {"toml", "[test]\nkind = \"no such\"\n"}}).status,
       400);
@@ -223,7 +224,7 @@ TEST_F(Gui, WhatIsNoFileIsNotWaitedFor) {
   const auto pipe = [](const fs::path& name) { ASSERT_EQ(::mkfifo(name.c_str(), 0600), 0) << name; };
   for (const fs::path& name :
        {fs::path(home) / "shale-calibration.log", calibration / ".progress.json",
-        calibration / "calibration.json", calibration / "calibration-of.txt", calibration / "report.html",
+        calibration / "calibration.json", calibration / "request.toml", calibration / "report.html",
         tests / "pull.toml", tests / "pull.log", tests / "pull" / "result.json", fs::path(home) / "p.csv",
         fs::path(home) / "pipe.toml", fs::path(home) / "shale-calibration.log.begun"})
     pipe(name);
@@ -240,7 +241,7 @@ TEST_F(Gui, WhatIsNoFileIsNotWaitedFor) {
     }
     EXPECT_EQ(phy::gui::ask(port, "GET /files/p.csv", known()).status, 404);
   }
-  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"elastic", true}}).status,
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"options", {{"elastic", true}}}}).status,
             400);  // calibration.json is there
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(end(SIGINT), 0);
@@ -268,7 +269,7 @@ TEST_F(Gui, CtrlCIsNotKeptByAnAnswer) {
 TEST_F(Gui, WhatDoesNotStopIsEnded) {
   ::alarm(300);
   save_rock();
-  done("/api/calibrate", {{"name", "shale"}, {"max_tests", 72}});
+  done("/api/calibrate", {{"name", "shale"}, {"options", {{"max_tests", 72}}}});
   const std::string own = std::to_string(process);
   ASSERT_EQ(run_line("ps -o pid= --ppid " + own), 0);
   const pid_t child = std::stoi(output);
@@ -283,10 +284,10 @@ TEST_F(Gui, WhatDoesNotStopIsEnded) {
 
 TEST_F(Gui, ARefusedStartLeavesTheLogThatWasThere) {
   save_rock();
-  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}}).status, 400);
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"options", {{"max_tests", 5}}}}).status, 400);
   EXPECT_FALSE(fs::exists(fs::path(home) / "shale-calibration.log"));
   std::ofstream(fs::path(home) / "shale-calibration.log") << "$ phyllite calibrate earlier\n";
-  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}}).status, 400);
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"options", {{"max_tests", 5}}}}).status, 400);
   EXPECT_EQ(read(fs::path(home) / "shale-calibration.log"), "$ phyllite calibrate earlier\n");
   for (const auto& entry : fs::directory_iterator(home)) EXPECT_NE(entry.path().extension(), ".begun");
 }

@@ -134,7 +134,7 @@ TEST_F(OwnFiles, OfACalibration) {
   tiny();
   write("table.csv", "theta [deg],E [GPa]\n0,17.5\n45,18\n90,48\n");
   write("rock.toml", "data = \"table.csv\"\nrecipe = \"tiny.toml\"\n");
-  for (const char* name : {"calibration-of.txt", "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
+  for (const char* name : {"request.toml", "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
                            "calibration.json", "tables.txt", "report.html", "ensemble/07.toml"})
     keeps("calibrate rock.toml --elastic --out new", std::string("new/") + name);
   ASSERT_THAT(here("calibrate rock.toml --elastic --out out"), testing::AnyOf(0, 1)) << output;

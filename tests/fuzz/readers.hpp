@@ -6,8 +6,7 @@
 // for a small input. What was read and can be written is written, and must be read again to the same; if not,
 // Finding is thrown.
 //
-// Not here: messages between MPI ranks (the program writes both ends), and calibration-of.txt, of which a
-// line is compared.
+// Not here: messages between MPI ranks (the program writes both ends).
 #pragma once
 #include <ostream>
 #include <stdexcept>

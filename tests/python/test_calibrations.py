@@ -1,4 +1,5 @@
 """Calibrations: the files of the program, its verdict, and its way to go on after Ctrl-C."""
+import inspect
 import json
 import pathlib
 import threading
@@ -25,7 +26,7 @@ class Calibrations(InFolder):
         found = phyllite.calibrate(phyllite.Rock.from_toml(path), self.at("mine"), elastic=True)
         code, text = program("calibrate", path, "--elastic", "--out", self.at("its"))
         self.assertIn(code, (0, 1), text)
-        for name in ("calibrated.toml", "calibration.json", "calibration-of.txt", "calibrated.p2dat",
+        for name in ("calibrated.toml", "calibration.json", "request.toml", "calibrated.p2dat",
                      "calibrated-yade.py", "ensemble/07.toml", "tables.txt", "report.html"):
             mine, its = self.read("mine", name), self.read("its", name)
             self.assertEqual([l for l in mine.splitlines() if " s, " not in l],
@@ -57,13 +58,26 @@ class Calibrations(InFolder):
         self.assertFalse(pathlib.Path(self.at("parts"), "calibration.json").exists())
         with self.assertRaisesRegex(phyllite.InputError, "resume=True goes on with it; another out begins"):
             phyllite.calibrate(rock, self.at("parts"), max_tests=72)
-        with self.assertRaisesRegex(phyllite.InputError, "table, recipe or options differ"):
+        with self.assertRaisesRegex(phyllite.InputError, "max_tests = 80: expected 72"):
             phyllite.calibrate(rock, self.at("parts"), max_tests=80, resume=True)
         resumed = phyllite.calibrate(rock, self.at("parts"), max_tests=72, resume=True)
         self.assertEqual(resumed.to_dict(), whole.to_dict())
         self.assertEqual(len(whole.ensemble), 20)
         self.assertEqual({row.property for row in whole.table}, {"E", "nu", "UCS"})
         self.assertIn(whole.verdict.status, str(whole).splitlines()[0] + whole.verdict.status)
+
+    def test_every_option_of_the_program_is_an_argument(self):
+        parameters = inspect.signature(phyllite.calibrate).parameters
+        _, usage = program("calibrate", "--help")
+        for name, default, allowed, meaning in phyllite._core.calibration_options():
+            self.assertIn("--" + name.replace("_", "-"), usage)
+            if name == "out":  # without it nothing is kept
+                self.assertIsNone(parameters[name].default)
+                continue
+            self.assertEqual(parameters[name].default, default, name)
+            self.assertIn(f"{name}: {meaning} ({allowed})", phyllite.calibrate.__doc__)
+        with self.assertRaisesRegex(TypeError, "efort"):
+            phyllite.calibrate(self.rock(), efort="quick")
 
     def test_what_cannot_be_is_told(self):
         rock = phyllite.Rock.from_toml(self.rock())
@@ -74,9 +88,9 @@ class Calibrations(InFolder):
         for wrong in (3, None, phyllite.Recipe(**LEAST)):
             with self.assertRaisesRegex(TypeError, "Rock.from_dataframe"):
                 phyllite.calibrate(wrong)
-        with self.assertRaisesRegex(phyllite.InputError, "one of posterior, sequence"):
+        with self.assertRaisesRegex(phyllite.InputError, 'method = "guess": expected one of "posterior" "sequence"'):
             phyllite.calibrate(rock, method="guess")
-        with self.assertRaisesRegex(phyllite.InputError, "one of quick, normal, thorough"):
+        with self.assertRaisesRegex(phyllite.InputError, 'one of "quick" "normal" "thorough"'):
             phyllite.calibrate(rock, effort="hasty")
         with self.assertRaisesRegex(phyllite.InputError, 'none beside method="sequence"'):
             phyllite.calibrate(rock, method="sequence", effort="quick")

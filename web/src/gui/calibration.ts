@@ -2,22 +2,15 @@
 import { Child, fold, h } from "../dom";
 import { Reach, growing, narrowing, reached } from "./charts";
 import { bar, clock, duration } from "./clock";
-import { argument, attempt, button, command, counted, field, fileFold, fileLink, input, keyed, objections, optionNames, stopper, ticked, worded } from "./controls";
-import { chosenBefore, keepChosen } from "./drafts";
+import { argument, attempt, button, command, counted, fileFold, fileLink, keyed, objections, stopper, worded } from "./controls";
 import { Figures } from "./figures";
-import { Calibrating, Progress, ask } from "./server";
+import { optionForm } from "./options";
+import { Calibrating, Progress, Project, ask } from "./server";
 
 export interface CalibrationView {
   node: HTMLElement;
   show(c: Calibrating, dirty: boolean, gone: boolean): void; // gone: there are no files to read
 }
-
-interface Options {
-  most: string;
-  elastic: boolean;
-}
-
-const usual = "2000";
 
 /** Has left no word on how it goes yet. */
 const justBegun: Progress = { state: "running", stage: "", seconds: 0, n_done: 0, n_total: 0, seconds_left: null, said: [], parameters: [], pressed: null };
@@ -82,71 +75,53 @@ function verdict(c: Calibrating): Child[] {
 }
 
 /** `ready` saves what has to be saved; it throws where that cannot be. */
-export function calibrationView(rock: string, folder: string, ready: () => Promise<void>, changed: () => void): CalibrationView {
+export function calibrationView(rock: string, project: Project, ready: () => Promise<void>, changed: () => void): CalibrationView {
   let now: Calibrating | null = null;
-  const store = `phyllite calibration ${folder} ${rock}`;
-  const before = chosenBefore<Options>(store);
-  const choose = () => {
-    keepChosen(store, { most: most.value, elastic: elastic.checked });
-    describe();
-  };
-  const most = input(choose, { inputmode: "numeric" });
-  most.value = before.most ?? usual;
-  const elastic = h("input", { type: "checkbox" });
-  elastic.checked = before.elastic ?? false;
-  elastic.addEventListener("change", choose);
-  const wrongMost = objections();
+  const options = optionForm(project.options, `phyllite calibration ${project.folder} ${rock}`, () => describe());
   const wrong = objections();
   const place = { state: h("p", { class: "state", role: "status" }), verdict: h("div"), command: h("div"), log: h("pre", { tabindex: "0" }) };
   const output = fold("Output of the program", place.log);
   const files = fileFold();
   const live = watch();
 
-  /** null: no whole number from 1. */
-  const mostTests = () => (/^\s*0*[1-9]\d{0,8}\s*$/.test(most.value) ? Number(most.value) : null);
-
   const begin = (how: { resume?: boolean; anew?: boolean }) =>
     attempt(wrong, async () => {
-      if (!how.resume && mostTests() === null) throw new Error("the largest number of tests is none; mend it first");
+      if (!how.resume && options.wrong()) throw new Error("an option has no value that it can have; mend it first");
       await ready();
-      await ask("/api/calibrate", { name: rock, max_tests: mostTests() ?? Number(usual), elastic: elastic.checked, resume: false, anew: false, ...how });
+      await ask("/api/calibrate", { name: rock, options: options.asked(), resume: false, anew: false, ...how });
       changed();
     });
   const start = button("Start calibration", () => begin({}), { class: "main" });
-  const goOn = button(optionNames["--resume"], () => begin({ resume: true }), { class: "main" });
+  const goOn = button("Go on", () => begin({ resume: true }), { class: "main" });
   const again = button("Calibrate anew", () => begin({ anew: true }));
   const stop = stopper("Stop", wrong, async () => {
     await ask("/api/stop", { name: rock, test: null });
     changed();
   });
-  const options = h("div", { class: "fields" }, h("div", {}, field(optionNames["--max-tests"], most), wrongMost), ticked(optionNames["--elastic"], elastic));
 
   /** What the buttons would start; of what runs or ran, what it was. */
   function describe() {
-    const most_tests = mostTests();
-    wrongMost.textContent = most_tests === null ? "A whole number, 1 or more." : "";
-    most.setAttribute("aria-invalid", String(most_tests === null));
     if (!now) return;
-    const begin = (folder: string) => `phyllite calibrate ${argument(`${rock}.toml`)} --out ${argument(folder)} --max-tests ${most_tests}${elastic.checked ? " --elastic" : ""}`;
+    const begin = (folder: string) => `phyllite calibrate ${argument(`${rock}.toml`)} --out ${argument(folder)}${options.words()}`;
     const lead = goOn.hidden ? "As a command: " : "To go on, as a command: ";
     const commands: [string, string][] = [];
     if (start.hidden) commands.push([now.command, lead]);
-    else if (most_tests !== null) commands.push([begin(now.folder), lead]);
-    if (!again.hidden && most_tests !== null) commands.push([begin(now.next), "Anew, in another folder, as a command: "]);
+    else if (!options.wrong()) commands.push([begin(now.folder), lead]);
+    if (!again.hidden && !options.wrong()) commands.push([begin(now.next), "Anew, in another folder, as a command: "]);
     keyed(place.command, commands, () => commands.filter(([text]) => text).map(([text, lead]) => command(text, lead)));
   }
 
   return {
-    node: h("div", {}, place.state, place.verdict, options, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, place.command, live.node, files.node, output),
+    node: h("div", {}, place.state, place.verdict, options.node, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, place.command, live.node, files.node, output),
     show(c, dirty, gone) {
       now = c;
       const running = c.state === "running";
       keyed(place.state, [c.state, c.here, c.exit_code], () => [state(c)]);
-      options.hidden = running || gone;
-      const begun = c.command.includes(" --resume"); // a start that failed at once has left nothing
-      start.hidden = gone || !(c.state === "new" || (c.state === "failed" && !begun));
+      options.node.hidden = running || gone;
+      // a start that failed at once has left nothing to go on with
+      start.hidden = gone || !(c.state === "new" || (c.state === "failed" && !c.resumes));
       start.textContent = dirty ? "Save and start calibration" : "Start calibration";
-      goOn.hidden = gone || !(c.state === "stopped" || (c.state === "failed" && begun));
+      goOn.hidden = gone || !(c.state === "stopped" || (c.state === "failed" && c.resumes));
       again.hidden = gone || running || !start.hidden;
       stop.show(running);
       describe();

@@ -1,6 +1,6 @@
 // Small parts that every section is made of.
 import { Child, copyButton, h } from "../dom";
-import { fileAddress } from "./server";
+import { Option, fileAddress } from "./server";
 
 export function button(text: string, act: () => void, attributes: Record<string, string> = {}): HTMLButtonElement {
   const b = h("button", { type: "button", ...attributes }, text);
@@ -18,9 +18,12 @@ export function field<T extends HTMLElement>(label: string, control: T, hint: Ch
   return h("div", { class: "field" }, h("label", { for: control.id }, label), control, small);
 }
 
-export function ticked(label: string, control: HTMLInputElement): HTMLElement {
+/** A box to be ticked, with its label beside it and a word on it below. */
+export function ticked(label: string, control: HTMLInputElement, hint: string): HTMLElement {
   control.id ||= `field-${++fields}`;
-  return h("div", { class: "ticked" }, control, h("label", { for: control.id }, label));
+  const small = h("small", { id: `${control.id}-hint`, class: "muted" }, hint);
+  control.setAttribute("aria-describedby", small.id);
+  return h("div", { class: "field" }, h("div", { class: "ticked" }, control, h("label", { for: control.id }, label)), small);
 }
 
 export function select(options: [string, string][], changed: (value: string) => void): HTMLSelectElement {
@@ -45,14 +48,15 @@ export function command(text: string, lead = "As a command: "): HTMLElement {
   return h("p", { class: "command" }, h("span", { class: "muted" }, lead), h("code", {}, text), " ", copyButton(text));
 }
 
-/** Controls that stand for an option of the commands. */
-export const optionNames: Record<"--max-tests" | "--elastic" | "--resume" | "--matrix", string> = { "--max-tests": "Largest number of tests", "--elastic": "Moduli alone (elastic stage)", "--resume": "Go on", "--matrix": "Model of the matrix" };
+/** Titles of the controls that stand for options of commands, by option: of all options of the project. */
+const titles = new Map<string, string>();
+export const nameOptions = (options: Option[]) => options.filter((o) => o.title).forEach((o) => titles.set(o.word, o.title));
 
 /** A sentence of the program in the words of the page: options are named as their controls, and files can be opened. */
 export function worded(text: string, files: string[] = []): Child[] {
   const told = (part: string): Child => {
     const file = files.find((f) => f.endsWith(`/${part}`));
-    return part in optionNames ? `“${optionNames[part as keyof typeof optionNames]}”` : file ? fileLink(file, part) : part;
+    return titles.has(part) ? `“${titles.get(part)}”` : file ? fileLink(file, part) : part;
   };
   return text.replace(/^command line: /gm, "").split(/(--[a-z][a-z-]+|[\w-]+\.(?:txt|toml|html|json)\b)/).map(told);
 }

@@ -2,7 +2,7 @@
 import { h, theme } from "../dom";
 import { benchView } from "./bench";
 import { calibrationView } from "./calibration";
-import { argument, attempt, button, command, counted, field, input, keyed, objections } from "./controls";
+import { argument, attempt, button, command, counted, field, input, keyed, nameOptions, objections } from "./controls";
 import { draft, onDraft } from "./drafts";
 import { findingsView } from "./findings";
 import { Rock } from "./rock";
@@ -89,7 +89,7 @@ function layOut(answer: RockAnswer) {
   const table = tableView(project, (t, step) => rock.edit({ table: t }, step), () => rock.undo());
   const rockFile = rockFileView(project, (t, step) => rock.edit({ toml: t }, step));
   const findings = findingsView(name);
-  const calibration = calibrationView(name, project.folder, ready, refresh);
+  const calibration = calibrationView(name, project, ready, refresh);
   const bench = benchView(name, project, refresh);
   const conflict = h("div");
   const wrong = objections();
@@ -263,6 +263,7 @@ async function start() {
     if (error instanceof Gone) setTimeout(() => location.reload(), 3000);
     return;
   }
+  nameOptions(project.options);
   document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${project.threads} threads`;
   folder.textContent = "A rock is two files of this folder: a table of tests and a rock file.";
   main.append(section("rocks", "Rocks", folder, rockList, opening, newRock()), place);

@@ -1,6 +1,6 @@
 // The rock file: what is asked for most by choosing, all of it as text. A choice changes its line of the text.
 import { Child, h } from "../dom";
-import { field, input, keyed, optionNames, select, textArea } from "./controls";
+import { field, input, keyed, select, textArea } from "./controls";
 import { Checked, Project, isUnbedded } from "./server";
 import { problemItem } from "./table";
 import { get, isElsewhere, quoted, set } from "./toml";
@@ -52,7 +52,7 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
   const label = h("label", { for: "rock-text" }, "Rock file as text");
   const name = h("code");
   const problems = h("ul", { class: "problems", id: "rock-problems" });
-  const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", optionNames["--matrix"]), ...sizes.map(sized)];
+  const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", "Model of the matrix"), ...sizes.map(sized)];
   return {
     node: h("div", {}, h("div", { class: "fields" }, ...fields), h("div", { class: "field" }, label, area.node), problems, h("p", { class: "muted" }, "The file: ", name)),
     show(toml, file) {

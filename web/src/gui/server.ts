@@ -10,6 +10,16 @@ export interface Key {
   choices: string[];
 }
 
+/** What a calibration may be asked for. */
+export interface Option extends Key {
+  word: string; // "--max-tests"
+  title: string; // of its control
+  on_page: boolean; // else the page decides by itself
+  default: string | number | boolean;
+  least: number; // of a whole number
+  most: number;
+}
+
 export interface Project {
   version: string;
   folder: string;
@@ -20,6 +30,7 @@ export interface Project {
   rocks: { name: string; state: State; verdict: string | null }[];
   kinds: { name: string; title: string; kept_stress?: string }[]; // path of the stress that the test keeps
   keys: Key[];
+  options: Option[];
 }
 
 /** The two files of a rock. */
@@ -74,6 +85,7 @@ export interface Calibrating extends Run {
   folder: string;
   next: string; // the folder that "Calibrate anew" writes into
   here: boolean; // started by this program
+  resumes: boolean; // there is something to go on with
   progress: Progress | null;
   verdict: { status: string; sentence: string; summary: string[]; findings: string[] } | null;
 }

@@ -1,0 +1,51 @@
+#include "jobs/calibration_job.hpp"
+
+#include <utility>
+
+namespace phy::jobs {
+
+CalibrationJob::CalibrationJob(const Rock& rock, CalibrationRequest request)
+    : request_(std::move(request)),
+      evidence_(with_matrix(rock, request_)),
+      options_(options_of(request_)),
+      specimens_(request_.out) {
+  calibrate::check_possible(evidence_, options_);
+  if (!request_.out.empty()) begun_.emplace(begin_calibration(evidence_, request_));
+}
+
+Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
+  calibrate::SimulatorOptions machine;
+  machine.threads = hooks.threads, machine.stop = hooks.stop, machine.on_work = hooks.work;
+  machine.with_untrusted = request_.with_untrusted;
+  if (begun_) {
+    machine.store = begun_->store, machine.gallery = &specimens_;
+    watch_.emplace(request_.out);
+    machine.on_reading = [&](const Recipe& r, double strain, double stress) {
+      watch_->reading(r, strain, stress);
+    };
+    options_.listener.estimates = [&](const auto& known) { watch_->estimates(known); };
+  }
+  machine.on_progress = [&](const calibrate::TestProgress& p) {
+    hooks.tests(p);
+    if (watch_) watch_->tests(p);
+  };
+  options_.listener.say = [&](const std::string& text) {
+    hooks.say(text);
+    if (watch_) watch_->say(text);
+  };
+  Calibration result = calibrate::calibrate(evidence_, options_, *calibrate::make_simulator(machine));
+  result.asked = asked(request_);
+  if (!begun_) return result;
+  if (result.verdict.status == VerdictStatus::interrupted)
+    watch_->end("stopped");
+  else
+    write_calibration(request_.out, result);
+  return result;
+}
+
+void CalibrationJob::finish() {
+  if (watch_) watch_->end("finished");
+  specimens_.check();
+}
+
+}  // namespace phy::jobs

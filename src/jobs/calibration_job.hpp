@@ -1,0 +1,42 @@
+// A calibration as every front end asks for it: checked, begun in its folder, run, and all that is left
+// there.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "jobs/calibration_folder.hpp"
+#include "jobs/calibration_watch.hpp"
+
+namespace phy::jobs {
+
+/// Where it runs, and who is told how far it has come. Functions are called from workers, one at a time.
+struct CalibrationHooks {
+  int threads = 1;
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const std::string&)> say;                   ///< what begins, one line
+  std::function<void(const calibrate::TestProgress&)> tests;     ///< of this batch
+  std::function<void(const study::WorkReport&)> work = nullptr;  ///< after every batch of tests
+};
+
+class CalibrationJob {
+ public:
+  /// Nothing is written before all checks have passed. Throws InputError, IoError.
+  CalibrationJob(const Rock& rock, CalibrationRequest request);
+  const calibrate::Evidence& evidence() const { return evidence_; }
+  /// Once. Leaves its files in the folder, but the page; none where it is interrupted.
+  Calibration run(const CalibrationHooks& hooks);
+  /// When the page is there, too. Throws what kept a specimen from being written.
+  void finish();
+
+ private:
+  CalibrationRequest request_;
+  calibrate::Evidence evidence_;
+  calibrate::CalibrationOptions options_;
+  std::optional<BegunCalibration> begun_;  // none: nothing is kept
+  SpecimenFolder specimens_;
+  std::optional<CalibrationWatch> watch_;
+};
+
+}  // namespace phy::jobs
