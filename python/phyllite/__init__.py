@@ -355,10 +355,9 @@ def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress:
     if keys and not given:
         raise TypeError("keys of a study go with a recipe, not with a study file: " + ", ".join(keys))
     keys.setdefault("name", _os.path.basename(_os.path.abspath(_text(out))))
-    found = _core.study(None if given else _text(source), keys, source if given else None, _text(out), threads,
-                        _teller(progress))
-    tables = {name: _table(found[name]) for name in ("table", "responses", "effects")}
-    return Study(folder=_text(out), text=found["text"], hash=found["hash"], **tables)
+    found = _core.study(source if given else _text(source), keys, _text(out), threads, _teller(progress))
+    tables = {name: _table(found.get(name, "")) for name in ("table", "responses", "effects")}
+    return Study(folder=_text(out), text=found.get("text", ""), hash=found.get("hash", ""), **tables)
 
 
 _with_keys(study, "study")

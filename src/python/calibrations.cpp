@@ -1,8 +1,9 @@
 // Calibrations and studies.
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <map>
 
 #include "base/clock.hpp"
 #include "io/regressions.hpp"
@@ -87,51 +88,56 @@ py::list rows_of(const std::vector<Comparison>& table) {
 }
 
 study::Study study_from(const py::dict& keys, const py::object& recipe) {
-  std::optional<Recipe> base;
-  if (!recipe.is_none()) base = recipe.cast<Recipe>(), keys["recipe"] = base->name;
+  const auto base = recipe.cast<Recipe>();
+  keys["recipe"] = base.name;
   return study::study_of(tree_of(keys, "study"), "study", base);
 }
 
-py::dict run_study(const py::object& file, const py::dict& keys, const py::object& recipe,
-                   const std::string& folder, int threads, const py::object& progress) {
-  const auto path = file.is_none() ? std::nullopt : std::optional(file.cast<std::string>());
-  study::Study wanted = path ? study::Study() : study_from(keys, recipe);
-  py::dict answer;
-  std::string results, responses, effects, text, hash;
-  std::size_t n_left = 0;
+/// Runs what the folder has not yet.
+study::StudyRows finished_rows(const study::Study& wanted, const study::Plan& plan, const std::string& folder,
+                               int threads, Watch& watch) {
+  const auto store = jobs::begin_study(study::study_files(wanted), folder, {});
+  const auto start = std::chrono::steady_clock::now();
+  study::StudyHooks hooks;
+  hooks.stop = &watch.stop;
+  hooks.on_progress = [&](const study::StudyProgress& p) {
+    watch.show({jobs::progress_text(p, seconds_since(start)), p.n_done, p.n_total});
+  };
+  hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
+    if (!has_answer(r.outcome.status)) watch.say(r.name + ": " + r.outcome.reason);
+  };
+  const study::MachineOptions machine = jobs::machine_of(threads);
+  {
+    study::StoreQueue queue(plan, *store, hooks, machine.threads);  // its end writes the last rows
+    study::work_at(queue, plan, machine);
+  }
+  return study::rows_of(plan, *store);
+}
+
+/// By name: the tables as CSV, the text that the program prints, the hash. Empty where nothing has finished.
+std::map<std::string, std::string> run_study(const py::object& source, const py::dict& keys,
+                                             const std::string& folder, int threads,
+                                             const py::object& progress) {
+  const bool from_file = py::isinstance<py::str>(source);
+  const std::string path = from_file ? source.cast<std::string>() : "";
+  study::Study wanted = from_file ? study::Study() : study_from(keys, source);
+  std::map<std::string, std::string> answer;
   run_released(progress, [&](Watch& watch) {
-    if (path) wanted = study::read_study(*path);
-    const jobs::StudyFiles files = study::study_files(wanted);
-    jobs::check_study_outputs(files, folder, {});
+    if (from_file) wanted = study::read_study(path);
+    jobs::check_study_outputs(study::study_files(wanted), folder, {});
     jobs::refuse_other_study(wanted, folder), jobs::refuse_unmerged(folder);
     const study::Plan plan = study::make_plan(wanted);
-    const auto store = jobs::begin_study(files, folder, {});
-    const auto start = std::chrono::steady_clock::now();
-    study::StudyHooks hooks;
-    hooks.stop = &watch.stop;
-    hooks.on_progress = [&](const study::StudyProgress& p) {
-      watch.show({jobs::progress_text(p, seconds_since(start)), p.n_done, p.n_total});
-    };
-    hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
-      if (!has_answer(r.outcome.status)) watch.say(r.name + ": " + r.outcome.reason);
-    };
-    const study::MachineOptions machine = jobs::machine_of(threads);
-    {
-      study::StoreQueue queue(plan, *store, hooks, machine.threads);
-      study::work_at(queue, plan, machine);
-    }
-    const study::StudyRows rows = study::rows_of(plan, *store);
-    for (const auto& row : rows) n_left += row ? 0 : 1;
-    if (n_left == rows.size()) return;
+    const study::StudyRows rows = finished_rows(wanted, plan, folder, threads, watch);
+    if (std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); })) return;
     jobs::write_tables(plan, rows, folder);
     if (!plan.study.vary.empty()) jobs::write_report(folder);
     const std::vector<study::Response> all = study::all_responses(plan, rows);
-    results = study::study_csv(plan, rows), responses = study::responses_csv(plan, all);
-    effects = study::effects_csv(plan, all), text = study::effects_text(plan, rows);
-    hash = study::hash_of(rows);
+    answer = {{"table", study::study_csv(plan, rows)},
+              {"responses", study::responses_csv(plan, all)},
+              {"effects", study::effects_csv(plan, all)},
+              {"text", study::effects_text(plan, rows)},
+              {"hash", study::hash_of(rows)}};
   });
-  answer["table"] = results, answer["responses"] = responses, answer["effects"] = effects;
-  answer["text"] = text, answer["hash"] = hash, answer["n_left"] = n_left;
   return answer;
 }
 
@@ -163,8 +169,8 @@ void add_calibrations(py::module_& m) {
   m.def("calibration_options", &calibration_options);
   m.def("calibrate", &calibrate, py::arg("rock"), py::arg("options"), py::arg("threads"),
         py::arg("progress"));
-  m.def("study", &run_study, py::arg("file"), py::arg("keys"), py::arg("recipe"), py::arg("folder"),
-        py::arg("threads"), py::arg("progress"));
+  m.def("study", &run_study, py::arg("source"), py::arg("keys"), py::arg("folder"), py::arg("threads"),
+        py::arg("progress"));
 }
 
 }  // namespace phy::python

@@ -181,11 +181,11 @@ NamedRock rock_of(const py::dict& keys, const std::string& where, const std::opt
 
 TomlValue tree_of(const py::dict& keys, const std::string& where) { return table_of(keys, "", where); }
 
-void add_recipes(py::module_& m) {
-  py::options own_signatures;  // the first line of each text, which inspect.signature reads
-  own_signatures.disable_function_signatures();
-  py::class_<Recipe>(m, "Recipe",
-                     "Everything that a run depends on, checked and completed. Not to be changed.")
+namespace {
+
+/// How a recipe is made: of keys, a file, a text, another recipe.
+void add_makers(py::class_<Recipe>& recipe) {
+  recipe
       .def(py::init([](const py::kwargs& keys) { return io::recipe_of(tree_of(keys, "Recipe"), "Recipe"); }),
            R"(A recipe from keys: Recipe(matrix={"E_c": "38 GPa"}, bedding=[{}], test={"angles": ["30 deg"]}).
 
@@ -211,7 +211,11 @@ Raises InputError with every problem found.)")
 
 Another recipe with some keys changed: recipe.changed(matrix={"sigma_c": "40 MPa"}).
 
-Tables are changed key by key; a list of as many sets of bedding as the recipe has, set by set.)")
+Tables are changed key by key; a list of as many sets of bedding as the recipe has, set by set.)");
+}
+
+void add_contents(py::class_<Recipe>& recipe) {
+  recipe
       .def("__getitem__", &value_in, py::arg("key"),
            R"(__getitem__(self, key)
 --
@@ -231,6 +235,16 @@ The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for 
       .def("__eq__",
            [](const Recipe& a, const Recipe& b) { return io::write_recipe(a) == io::write_recipe(b); })
       .def("__repr__", [](const Recipe& r) { return "<phyllite.Recipe \"" + r.name + "\">"; });
+}
+
+}  // namespace
+
+void add_recipes(py::module_& m) {
+  py::options own_signatures;  // the first line of each text, which inspect.signature reads
+  own_signatures.disable_function_signatures();
+  py::class_<Recipe> recipe(m, "Recipe",
+                            "Everything that a run depends on, checked and completed. Not to be changed.");
+  add_makers(recipe), add_contents(recipe);
 
   py::class_<NamedRock>(m, "RockRecord")
       .def_static("from_toml",

@@ -273,9 +273,9 @@ py::list contact_laws() {
   return laws;
 }
 
-}  // namespace
+using SpecimenClass = py::class_<Test, std::shared_ptr<Test>>;
 
-void add_runs(py::module_& m) {
+void add_number(py::module_& m) {
   py::class_<Number>(m, "Number", "A number of a result, with its unit and the definition used.")
       .def_readonly("name", &Number::name, R"("ucs", "E_tangent" ...)")
       .def_readonly("value", &Number::value, "SI; NaN: could not be determined, see note.")
@@ -284,11 +284,11 @@ void add_runs(py::module_& m) {
       .def_readonly("note", &Number::note, "Why there is no value, or what to keep in mind.")
       .def("__float__", [](const Number& n) { return n.value; })
       .def("__repr__", [](const Number& n) { return n.name + " = " + print_number(n.value) + " " + n.unit; });
+}
 
-  py::class_<Test, std::shared_ptr<Test>>(m, "Specimen", R"(A specimen after its test.
-
-Arrays lie in the memory of the result: nothing is copied, nothing can be written to. SI units; compression
-and shortening positive.)")
+/// What it is, and how its test ended.
+void add_outcome(SpecimenClass& specimen) {
+  specimen
       .def_property_readonly(
           "name", [](const Test& t) { return t.result.name; }, R"("theta = 30 deg", "intact".)")
       .def_property_readonly(
@@ -311,6 +311,18 @@ and shortening positive.)")
       .def_property_readonly(
           "hash", [](const Test& t) { return t.result.hash; },
           "Over the bits of history, cracks and final positions: that of the program.")
+      .def_property_readonly(
+          "n_steps", [](const Test& t) { return t.result.n_steps; }, "Cycles.")
+      .def_property_readonly(
+          "seconds", [](const Test& t) { return t.result.seconds; }, "CPU time [s].")
+      .def("__repr__", [](const Test& t) {
+        return "<phyllite.Specimen " + t.result.name + ", " + to_string(t.result.outcome.status) + ">";
+      });
+}
+
+/// Arrays over the memory of the result.
+void add_series(SpecimenClass& specimen) {
+  specimen
       .def_property_readonly("columns", &columns_of, "Name, unit and meaning of each column of the history.")
       .def_property_readonly(
           "history",
@@ -344,16 +356,18 @@ and shortening positive.)")
             return view_of(last_state(self.cast<Test&>()).contacts, contact_members(), self);
           },
           "Contacts at the end: grain_a, grain_b, kind (0 touching, 1 bonded, 2 joint), broken, F_n, F_s "
-          "[N/m], "
-          "normal_x, normal_y.")
-      .def_property_readonly(
-          "n_steps", [](const Test& t) { return t.result.n_steps; }, "Cycles.")
-      .def_property_readonly(
-          "seconds", [](const Test& t) { return t.result.seconds; }, "CPU time [s].")
-      .def("__repr__", [](const Test& t) {
-        return "<phyllite.Specimen " + t.result.name + ", " + to_string(t.result.outcome.status) + ">";
-      });
+          "[N/m], normal_x, normal_y.");
+}
 
+}  // namespace
+
+void add_runs(py::module_& m) {
+  add_number(m);
+  SpecimenClass specimen(m, "Specimen", R"(A specimen after its test.
+
+Arrays lie in the memory of the result: nothing is copied, nothing can be written to. SI units; compression
+and shortening positive.)");
+  add_outcome(specimen), add_series(specimen);
   m.def("run", &run, py::arg("recipe"), py::arg("folder"), py::arg("replace"), py::arg("threads"),
         py::arg("progress"));
   m.def("elastic", &elastic, py::arg("recipe"), py::arg("glued"), py::arg("modulus_loss"), py::arg("threads"),

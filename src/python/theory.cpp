@@ -64,7 +64,7 @@ void define(py::module_& m, const char* name, F&& f, const Extra&... extra) {
 /// What a function is and where it comes from.
 std::string doc(const char* what, const char* source) { return std::string(what) + source; }
 
-void add_moduli(py::module_& m) {
+void add_goodman(py::module_& m) {
   define(m, "goodman_E", py::vectorize([](double theta, double E, double K_n_delta, double K_s_delta) {
            return theory::goodman_E({E, K_n_delta, K_s_delta, 0.0}, theta);
          }),
@@ -85,6 +85,9 @@ joints times their spacing [Pa].)",
 nu: of the intact rock; other arguments as of goodman_E.)",
              goodman_source)
              .c_str());
+}
+
+void add_amadei(py::module_& m) {
   define(m, "amadei_E",
          py::vectorize([](double theta, double E, double E_n, double nu, double nu_n, double G_n) {
            return theory::ti_E({E, E_n, nu, nu_n, G_n}, theta);
@@ -154,11 +157,9 @@ py::tuple on_diameter(const py::object& rho, const py::object& P, const py::obje
   return py::make_tuple(x(rho, P, diameter, alpha), y(rho, P, diameter, alpha));
 }
 
-py::tuple disc_stress(const py::array_t<double>& x, const py::array_t<double>& y, double P, double diameter,
-                      double alpha, double theta, double E, double E_n, double nu, double nu_n, double G_n) {
-  const theory::PlaneCompliance body =
-      theory::plane_compliance({E, E_n, nu, nu_n, G_n}, theory::PlaneState::stress);
-  const theory::AnisotropicDisc disc({theory::rotated(body, theta), diameter, alpha, P});
+using Places = py::array_t<double>;
+
+py::tuple disc_stress(const Places& x, const Places& y, const theory::AnisotropicDisc& disc) {
   const auto of = [&](double theory::DiscStress::*component) {
     return py::vectorize(
         [&disc, component](double at_x, double at_y) { return disc.at(at_x, at_y).*component; })(x, y);
@@ -184,7 +185,12 @@ diameter [m]; alpha: half the loaded arc [deg].)",
          }),
          "P"_a, "diameter"_a, "thickness"_a = 1.0,
          "Indirect tensile strength 2 P/(pi D t) [Pa]; P [N], diameter and thickness [m].");
-  define(m, "amadei_disc", &disc_stress, "x"_a, "y"_a, "P"_a, "diameter"_a, "alpha"_a, "theta"_a, "E"_a,
+  const auto amadei_disc = [](const Places& x, const Places& y, double P, double diameter, double alpha,
+                              double theta, double E, double E_n, double nu, double nu_n, double G_n) {
+    const auto body = theory::plane_compliance({E, E_n, nu, nu_n, G_n}, theory::PlaneState::stress);
+    return disc_stress(x, y, theory::AnisotropicDisc({theory::rotated(body, theta), diameter, alpha, P}));
+  };
+  define(m, "amadei_disc", amadei_disc, "x"_a, "y"_a, "P"_a, "diameter"_a, "alpha"_a, "theta"_a, "E"_a,
          "E_n"_a, "nu"_a, "nu_n"_a, "G_n"_a,
          R"(Stresses x, y, xy [Pa, compression positive] in a thin layered disc pressed along y.
 
@@ -235,7 +241,7 @@ void add_theory(py::module_& m) {
 Arguments are numbers or arrays, broadcast as NumPy does. theta is the inclination of the planes [deg], load
 along y: 0 planes across the load, 90 along it. Papers with the angle between load and planes have
 beta = 90 - theta.)";
-  add_moduli(m), add_strengths(m), add_brazilian(m);
+  add_goodman(m), add_amadei(m), add_strengths(m), add_brazilian(m);
   define(m, "fit_goodman", &fit_goodman, "theta"_a, "moduli"_a, "E"_a = py::none(),
          doc(R"(Least squares of Eq. 1, in compliance, through moduli [Pa] at inclinations theta [deg].
 
