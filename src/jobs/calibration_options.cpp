@@ -26,21 +26,11 @@ Field text_key(const char* key) {
   return f;
 }
 
+/// The options, and what a folder remembers beside them.
 const io::Schema& request_schema() {
   static const Fields fields = [] {
-    Fields all;
-    for (const CalibrationOption& o : calibration_options()) all.push_back(o.field());
-    return all;
-  }();
-  static const io::Schema schema{"calibration", "calibrate", fields, {}, ""};
-  return schema;
-}
-
-const io::Schema& kept_schema() {
-  static const Fields fields = [] {
     Fields all = {text_key("name"), text_key("rock"), text_key("table"), text_key("model")};
-    for (const CalibrationOption& o : calibration_options())
-      if (o.changes_result) all.push_back(o.field());
+    for (const CalibrationOption& o : calibration_options()) all.push_back(o.field());
     return all;
   }();
   static const io::Schema schema{"request of a calibration", "calibrate", fields, {}, ""};
@@ -170,7 +160,7 @@ std::string kept_text(const KeptRequest& kept) {
 }
 
 KeptRequest read_kept(const std::string& text, const std::string& file) {
-  const io::Document document(text, file, kept_schema());
+  const io::Document document(text, file, request_schema());
   document.check();
   KeptRequest kept{request_in(document), document.text("name", ""), document.text("table", ""),
                    document.text("model", "")};

@@ -91,7 +91,6 @@ TEST(CalibrationOptions, NoneTakesWhatItCannotBe) {
 TEST(CalibrationOptions, WhatIsMissingOrUnknownInAFolderIsSeen) {
   EXPECT_THROW(read_kept("max_tests = 0\n", "request.toml"), InputError);
   EXPECT_THROW(read_kept("max_test = 20\n", "request.toml"), InputError);
-  EXPECT_THROW(read_kept("resume = true\n", "request.toml"), InputError) << "nothing to remember";
 }
 
 }  // namespace
