@@ -61,7 +61,7 @@ class Progress:
 ProgressFunction = Optional[Callable[[Progress], Any]]
 
 
-def _teller(progress: ProgressFunction) -> Optional[Callable[[str, int, int], Any]]:
+def _reporter(progress: ProgressFunction) -> Optional[Callable[[str, int, int], Any]]:
     return None if progress is None else lambda text, done, total: progress(Progress(text, done, total))
 
 
@@ -70,7 +70,7 @@ def _text(path: Optional[Path]) -> str:
 
 
 class _Default:
-    """Stands in signatures for the default of a key, which explain() tells."""
+    """Stands in signatures for the default of a key, which explain() states."""
 
     def __repr__(self) -> str:
         return "..."
@@ -196,7 +196,7 @@ class Rock:
         return [Target(**row) for row in self._record.targets]
 
     def check(self) -> str:
-        """What its data can and cannot determine, before anything runs, as `phyllite rock check` tells it."""
+        """What its data can and cannot determine, before anything runs, as `phyllite rock check` prints it."""
         return self._record.check()
 
     def __repr__(self) -> str:
@@ -269,7 +269,7 @@ def run(recipe: Union[Recipe, Path], out: Optional[Path] = None, *, replace: boo
     the program, whatever the number of threads. Raises InputError, IoError.
     """
     recipe = _recipe(recipe, "run")
-    tests = _core.run(recipe, _text(out), replace, threads, _teller(progress))
+    tests = _core.run(recipe, _text(out), replace, threads, _reporter(progress))
     return Result(recipe, tests, _text(out))
 
 
@@ -302,7 +302,7 @@ def elastic(recipe: Union[Recipe, Path], *, glued: bool = False, modulus_loss: b
 
     glued: grains stick to the platens. modulus_loss: Eq. 1 is fitted in modulus instead of compliance.
     """
-    return Elastic(*_core.elastic(_recipe(recipe, "elastic"), glued, modulus_loss, threads, _teller(progress)))
+    return Elastic(*_core.elastic(_recipe(recipe, "elastic"), glued, modulus_loss, threads, _reporter(progress)))
 
 
 # ---- studies
@@ -355,7 +355,7 @@ def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress:
     if keys and not given:
         raise TypeError("keys of a study go with a recipe, not with a study file: " + ", ".join(keys))
     keys.setdefault("name", _os.path.basename(_os.path.abspath(_text(out))))
-    found = _core.study(source if given else _text(source), keys, _text(out), threads, _teller(progress))
+    found = _core.study(source if given else _text(source), keys, _text(out), threads, _reporter(progress))
     tables = {name: _table(found.get(name, "")) for name in ("table", "responses", "effects")}
     return Study(folder=_text(out), text=found.get("text", ""), hash=found.get("hash", ""), **tables)
 
@@ -464,7 +464,7 @@ def calibrate(rock: Union[Rock, Path], out: Optional[Path] = None, *, threads: i
     given = {name: value for name, value in options.items() if value is not None}
     _inspect.signature(calibrate).bind(rock, out, **given)  # an argument that there is not
     return Calibration(_core.calibrate(_rock(rock, "calibrate")._record, {**given, "out": _text(out)}, threads,
-                                       _teller(progress)))
+                                       _reporter(progress)))
 
 
 def _with_options(function: Any, options: Any) -> None:

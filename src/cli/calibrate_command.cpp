@@ -22,7 +22,7 @@ namespace {
 std::string resume_command(jobs::CalibrationRequest args) {
   args.resume = true;
   std::string command = "phyllite";
-  for (const std::string& word : jobs::words_of(args)) command += " " + sh_word(word);
+  for (const std::string& word : jobs::command_line_of(args)) command += " " + sh_word(word);
   return command;
 }
 

@@ -274,22 +274,22 @@ Json Api::calibration(const std::string& name) {
   const auto earlier = jobs::request_in(folder);
   const bool finished = exists(path_in(folder, "calibration.json"));
   Json progress = json_in(path_in(folder, jobs::watch_file));
-  const Json told = value_in(progress, {"state"});
+  const Json reported = value_in(progress, {"state"});
   const auto [process, here, code] = work_in(folder);
   // without a process "running" was killed; the report may be missing though all else is there
-  const bool whole = told.is_null() || told == "finished";
-  const std::string state = process != 0                             ? "running"
-                            : finished && whole                      ? "finished"
-                            : told == "stopped" || told == "running" ? "stopped"
-                            : code >= 2 || told == "failed"          ? "failed"
-                            : earlier                                ? "stopped"
-                                                                     : "new";
+  const bool whole = reported.is_null() || reported == "finished";
+  const std::string state = process != 0                                     ? "running"
+                            : finished && whole                              ? "finished"
+                            : reported == "stopped" || reported == "running" ? "stopped"
+                            : code >= 2 || reported == "failed"              ? "failed"
+                            : earlier                                        ? "stopped"
+                                                                             : "new";
   jobs::CalibrationRequest next = earlier.value_or(jobs::CalibrationRequest{});
   next.rock = name + ".toml", next.out = folder;
   next.resume = earlier && (state == "stopped" || state == "failed");
   const Json result = finished ? json_in(path_in(folder, "calibration.json")) : Json(nullptr);
   return {{"state", state},
-          {"command", here ? log.command : command_of(jobs::words_of(next))},
+          {"command", here ? log.command : command_of(jobs::command_line_of(next))},
           {"resumes", next.resume},
           {"folder", folder},
           {"next", next_calibration_of(name)},
@@ -355,7 +355,7 @@ Json Api::start(const std::vector<std::string>& words, const std::string& folder
   return {{"command", command_of(all)}};
 }
 
-/// What cannot be done is refused at once: told where it was asked for, and nothing has been begun. What goes
+/// What cannot be done is refused at once, where it was asked for, and nothing has begun. What goes
 /// on takes the place of an earlier log.
 void Api::check_started(const std::string& folder, const std::string& log) {
   const auto start = std::chrono::steady_clock::now();
@@ -387,7 +387,7 @@ Json Api::calibrate(const Json& asked) {
   request.rock = name + ".toml";
   request.out = gui::get(asked, "anew", false) ? next_calibration_of(name) : now;
   check_inside(request.out);
-  return start(jobs::words_of(request), request.out);
+  return start(jobs::command_line_of(request), request.out);
 }
 
 Json Api::stop(const Json& asked) {

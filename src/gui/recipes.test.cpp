@@ -35,6 +35,17 @@ TEST_F(RecipesTest, ChoicesBecomeAFinishedRecipe) {
   EXPECT_EQ(recipe.packing.n_grains, 330);
 }
 
+TEST_F(RecipesTest, AKeyWithADimensionHasTheUnitOfItsValues) {
+  const auto unit_of = [](const std::string& path) {
+    for (const Json& key : keys_json())
+      if (key["path"] == path) return key.value("unit", "none");
+    return std::string("no key");
+  };
+  EXPECT_EQ(unit_of("test.angles"), "deg");
+  EXPECT_EQ(unit_of("test.confining_stress"), "Pa");
+  EXPECT_EQ(unit_of("test.intact"), "none");
+}
+
 TEST_F(RecipesTest, EveryTestCanBeChosen) {
   for (const TestDescription* test : laboratory_tests()) {
     std::map<std::string, std::string> chosen = {{"test.kind", test->name}, {"test.angles", "[\"30 deg\"]"}};

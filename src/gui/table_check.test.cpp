@@ -80,6 +80,12 @@ TEST(TableCheck, DoubtsStandApartFromNotesTheAnglesFirst) {
   EXPECT_TRUE(check_answer("shale", toml, good)["doubts"].empty());
 }
 
+TEST(TableCheck, ARockWithoutBeddingIsSaidToBeOne) {
+  EXPECT_EQ(check_answer("shale", toml, good)["bedded"], true);
+  EXPECT_EQ(check_answer("shale", toml + "bedded = false\n", "E [GPa],UCS [MPa]\n20,60\n21,65\n")["bedded"],
+            false);
+}
+
 TEST(TableCheck, RubbishIsAnsweredToo) {
   for (const std::string& table :
        {std::string(), std::string("\0\0\xff", 3), std::string(5000, ','), std::string("PK\x03\x04")})

@@ -8,13 +8,14 @@ std::vector<Problem> problems_of(const std::string& where,
                                  const std::vector<study::RecipeDifference>& differences,
                                  const std::string& as_in, const std::string& remedy) {
   constexpr std::size_t most = 6;  // lines
-  const std::size_t n = differences.size(), told = n > most ? most - 1 : n;
+  const std::size_t n = differences.size(), reported = n > most ? most - 1 : n;
   std::vector<Problem> problems;
-  for (std::size_t i = 0; i < told; ++i) {
+  for (std::size_t i = 0; i < reported; ++i) {
     const study::RecipeDifference& d = differences[i];
     problems.push_back({where, d.key, d.one, d.other + ", " + as_in, remedy});
   }
-  if (told < n) problems.push_back({where, fmt::format("{} other keys", n - told), "", as_in, remedy});
+  if (reported < n)
+    problems.push_back({where, fmt::format("{} other keys", n - reported), "", as_in, remedy});
   return problems;
 }
 

@@ -1,4 +1,4 @@
-// What is told where a folder holds something that was made by another recipe.
+// What is reported where a folder holds something that was made by another recipe.
 #pragma once
 #include <string>
 #include <vector>

@@ -227,7 +227,7 @@ void write_calibration(const std::string& folder, const Calibration& c) {
 std::string progress_text(const calibrate::TestProgress& p) {
   const std::string left = p.seconds_left > 90.0  ? fmt::format("{:.0f} min", p.seconds_left / 60.0)
                            : p.seconds_left > 0.0 ? fmt::format("{:.0f} s", p.seconds_left)
-                           : p.n_done > 0         ? "longer than foreseen"
+                           : p.n_done > 0         ? "later than estimated"
                                                   : "not yet known";
   return fmt::format("{}/{} tests of this batch, time left for the calibration: {}", p.n_done, p.n_total,
                      left);

@@ -39,7 +39,8 @@ void write_calibration(const std::string& folder, const Calibration& calibration
 std::string specimens_in(const std::string& folder);
 
 /// Puts the specimens of a calibration there. Where something else, or a damaged result, is in the place of
-/// one, it is left alone and told by check(), so that no calibration is lost for the sake of its pictures.
+/// one, it is left alone and reported by check(), so that no calibration is lost for the sake of its
+/// pictures.
 class SpecimenFolder : public calibrate::Gallery {
  public:
   /// `folder`: of the calibration.

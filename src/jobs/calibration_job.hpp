@@ -11,7 +11,7 @@
 
 namespace phy::jobs {
 
-/// Where it runs, and who is told how far it has come. Functions are called from workers, one at a time.
+/// Where it runs, and who follows it. Functions are called from workers, one at a time.
 struct CalibrationHooks {
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;

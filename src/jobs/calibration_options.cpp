@@ -82,8 +82,7 @@ const std::vector<CalibrationOption>& calibration_options() {
       {"matrix", "Matrix of the model",
        "what holds the grains together, whatever the rock file says; choose: what predicts best", &R::matrix,
        find_field(rock::rock_schema().fields, "matrix")->choices},
-      {"elastic", "Moduli alone (elastic stage)", "elastic stage only: moduli, and no strengths",
-       &R::elastic},
+      {"elastic", "Moduli alone", "elastic stage only: moduli, and no strengths", &R::elastic},
       {"method",
        "Method",
        "posterior: parameters with intervals; sequence: the paper's way, one parameter after the other",
@@ -136,7 +135,7 @@ std::vector<SetOption> asked(const CalibrationRequest& request) {
   return options;
 }
 
-std::vector<std::string> words_of(const CalibrationRequest& request) {
+std::vector<std::string> command_line_of(const CalibrationRequest& request) {
   std::vector<std::string> words = {"calibrate", request.rock};
   for (const CalibrationOption& o : calibration_options()) {
     const OptionValue value = o.value(request);

@@ -48,7 +48,7 @@ CalibrationRequest request_of(io::TomlValue keys, const std::string& where);
 /// Every option that changes the result and has a value.
 std::vector<SetOption> asked(const CalibrationRequest& request);
 /// The words that ask for it, after `phyllite`.
-std::vector<std::string> words_of(const CalibrationRequest& request);
+std::vector<std::string> command_line_of(const CalibrationRequest& request);
 
 /// What a folder remembers of the calibration in it, and where.
 constexpr const char* request_file = "request.toml";

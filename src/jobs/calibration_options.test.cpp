@@ -49,12 +49,12 @@ TEST(CalibrationOptions, AFolderRemembersEachThatChangesTheResult) {
 TEST(CalibrationOptions, EachHasAWordAndAValueAtTheCommandLine) {
   CalibrationRequest usual;
   usual.rock = "r.toml";
-  EXPECT_EQ(words_of(usual), (std::vector<std::string>{"calibrate", "r.toml"}));
+  EXPECT_EQ(command_line_of(usual), (std::vector<std::string>{"calibrate", "r.toml"}));
   for (const CalibrationOption& option : calibration_options()) {
     CalibrationRequest request;
     change(option, request);
     const OptionValue value = option.value(request);
-    const auto words = words_of(request);
+    const auto words = command_line_of(request);
     EXPECT_THAT(words, Contains("--" + option.word()));
     if (!std::holds_alternative<bool>(value)) {
       EXPECT_EQ(words.back(), option_text(value));

@@ -112,7 +112,7 @@ std::string CalibrationWatch::text() const {
 
 void CalibrationWatch::write_now() {
   written_ = Clock::now();
-  // Not synced to the disk, as results are: the workers wait meanwhile. A full disk is told by what matters.
+  // Not synced to the disk, as results are: the workers wait meanwhile. What matters reports a full disk.
   io::write_passing(file_, text());
 }
 

@@ -33,14 +33,14 @@ TEST_F(CalibrationWatchTest, SaysWhatIsKnownAfterEveryBatch) {
   watch.estimates({estimate("sigma_c", 10.0), estimate("mu", 0.5)});
   watch.say("strength, batch 2 of 2");
   watch.estimates({estimate("sigma_c", 12.0)});
-  const Json told = now();
-  EXPECT_EQ(told["stage"], "strength, batch 2 of 2");
-  EXPECT_THAT(told["said"], ElementsAre("strength, batch 1 of 2", "strength, batch 2 of 2"));
-  ASSERT_EQ(told["parameters"].size(), 2U);
-  EXPECT_EQ(told["parameters"][0]["steps"].size(), 2U);
-  EXPECT_EQ(told["parameters"][0]["steps"][1]["value"], 12.0);
-  EXPECT_THAT(told["parameters"][0]["box"], ElementsAre(1.0, 1000.0));
-  EXPECT_EQ(told["parameters"][1]["steps"].size(), 1U);
+  const Json reported = now();
+  EXPECT_EQ(reported["stage"], "strength, batch 2 of 2");
+  EXPECT_THAT(reported["said"], ElementsAre("strength, batch 1 of 2", "strength, batch 2 of 2"));
+  ASSERT_EQ(reported["parameters"].size(), 2U);
+  EXPECT_EQ(reported["parameters"][0]["steps"].size(), 2U);
+  EXPECT_EQ(reported["parameters"][0]["steps"][1]["value"], 12.0);
+  EXPECT_THAT(reported["parameters"][0]["box"], ElementsAre(1.0, 1000.0));
+  EXPECT_EQ(reported["parameters"][1]["steps"].size(), 1U);
   watch.end("finished");
   EXPECT_EQ(now()["state"], "finished");
 }

@@ -45,7 +45,7 @@ std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> result
     try {
       if (auto d = study::differences(io::read_result_recipe(result), recipe); !d.empty())
         others.emplace_back(result, std::move(d));
-    } catch (const InputError&) {  // unreadable: `show` and `report` tell it, and a run mends it
+    } catch (const InputError&) {  // unreadable: `show` and `report` say so, and a run mends it
     } catch (const IoError&) {
     }
   }
@@ -60,7 +60,7 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
     for (const study::RecipeDifference& d : differences) text += d.key + " " + d.one + "\n";
     return text;
   };
-  // Those that differ alike are told together, of several recipes a key each.
+  // Those that differ alike are reported together, of several recipes a key each.
   std::map<std::string, int> n_alike;
   const auto others = results_of_others(folder, recipe);
   for (const auto& [result, differences] : others) ++n_alike[alike(differences)];

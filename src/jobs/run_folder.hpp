@@ -12,7 +12,7 @@
 
 namespace phy::jobs {
 
-/// Results of another recipe that already lie in a folder, each with the keys that tell: nothing may be put
+/// Results of another recipe that already lie in a folder, each with the keys that differ: nothing may be put
 /// beside them. What cannot be read is passed over.
 std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> results_of_others(
     const std::string& folder, const Recipe& recipe);
@@ -38,7 +38,7 @@ enum class PageOf { run, study, calibration };
 std::optional<Problem> problem_of_page(const std::string& folder, PageOf own);
 
 /// One page for the whole folder, with results that stand there from before; tests that were interrupted now
-/// are told as missing.
+/// are reported as missing.
 void write_run_report(const std::string& folder, const std::vector<TestResult>& results);
 
 /// Makes a folder for results; where nothing comes into it, it goes again.

@@ -62,10 +62,11 @@ void check_tables(const std::string& folder, const std::string& word) {
 
 namespace {
 
-/// The keys in which specimens that both studies have are loaded differently, without those of `told`:
+/// The keys in which specimens that both studies have are loaded differently, without those of `reported`:
 /// "test.platen_speed at theta = 45 deg", with how many more differ. Angles may be added.
-std::vector<study::RecipeDifference> differences_by_angle(const study::Study& there, const study::Study& here,
-                                                          const std::vector<study::RecipeDifference>& told) {
+std::vector<study::RecipeDifference> differences_by_angle(
+    const study::Study& there, const study::Study& here,
+    const std::vector<study::RecipeDifference>& reported) {
   struct OfKey {
     study::RecipeDifference first;
     std::string specimen;
@@ -79,7 +80,8 @@ std::vector<study::RecipeDifference> differences_by_angle(const study::Study& th
     const auto k = static_cast<std::size_t>(std::find(now.begin(), now.end(), old[i]) - now.begin());
     if (k == now.size()) continue;
     for (study::RecipeDifference& d : study::differences(as_old[i], as_now[k])) {
-      if (std::any_of(told.begin(), told.end(), [&](const auto& t) { return t.key == d.key; })) continue;
+      if (std::any_of(reported.begin(), reported.end(), [&](const auto& t) { return t.key == d.key; }))
+        continue;
       const auto known =
           std::find_if(keys.begin(), keys.end(), [&](const OfKey& o) { return o.first.key == d.key; });
       if (known != keys.end())

@@ -208,7 +208,7 @@ test("every option of a calibration has its control, which says what it means an
 
 test("a calibration is started, watched, stopped, gone on with", async () => {
   await page.getByLabel("Largest number of tests").fill("5,5");
-  await shown("A whole number, 1 ≤ value ≤ 1000000.");
+  await shown("A whole number from 1 to 1000000.");
   await page.getByLabel("Largest number of tests").fill("54");
   await shown("phyllite calibrate slate.toml --out slate-calibration --max-tests 54");
   await button("Start calibration").click();

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
 #include "../program.hpp"
+#include "jobs/calibration_options.hpp"
 
 namespace {
 
@@ -227,6 +229,21 @@ TEST_F(CalibrateCli, ThePapersSequenceEndsWithTheSameFilesAndNoIntervals) {
   ASSERT_EQ(run("calibrate " + rock() + " --elastic --effort thorough --out " + at("none")), 2);
   EXPECT_THAT(output, HasSubstr("none beside --elastic"));
   EXPECT_FALSE(fs::exists(at("none")));
+}
+
+TEST_F(CalibrateCli, EveryOptionOfTheListIsInHelpManualAndCompletion) {
+  ASSERT_EQ(run("calibrate --help"), 0);
+  const std::string help = output;
+  ASSERT_EQ(run("man calibrate"), 0);
+  std::string manual = output;
+  manual.erase(std::remove(manual.begin(), manual.end(), '\\'), manual.end());  // "\-" is a hyphen
+  for (const phy::jobs::CalibrationOption& option : phy::jobs::calibration_options()) {
+    const std::string name = "--" + option.word();
+    EXPECT_THAT(help, HasSubstr(name));
+    EXPECT_THAT(manual, HasSubstr(name));
+    EXPECT_THAT(manual, HasSubstr(option.meaning));
+    for (const std::string& word : option.words) EXPECT_THAT(help, HasSubstr(word)) << name;
+  }
 }
 
 TEST_F(CalibrateCli, EffortIsRememberedAndNamesTheNextOne) {

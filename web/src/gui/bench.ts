@@ -70,9 +70,8 @@ function written(key: Key, value: string, kept: boolean): string {
   const number = value.trim().replace(/^([+-]?\d+),(\d+)$/, "$1.$2");
   if (kept && isNumber(number)) return `${number} MPa`;
   if (key.kind !== "list") return value;
-  const unit = key.range.match(/\d (\S+) <=? value/)?.[1]; // may be left out while typing
   const items = listed(value);
-  return `[${items.map((v) => (!isNumber(v) ? quoted(v) : unit ? quoted(`${v} ${unit}`) : v)).join(", ")}]`;
+  return `[${items.map((v) => (!isNumber(v) ? quoted(v) : key.unit ? quoted(`${v} ${key.unit}`) : v)).join(", ")}]`;
 }
 
 /** As it stands in a recipe; `value`: as written() gives it. */

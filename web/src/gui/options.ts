@@ -30,7 +30,7 @@ function control(option: Option, kept: string | undefined, chosen: (text: string
   }
   if (option.kind === "choice") {
     const words = (o: string): [string, string] => [o, o.replaceAll("_", " ") + (o === usual ? " (usual)" : "")];
-    const node = select([...(usual === "" ? [["", "not given"] as [string, string]] : []), ...option.choices.map(words)], chosen);
+    const node = select([...(usual === "" ? [["", "as the rock file says"] as [string, string]] : []), ...option.choices.map(words)], chosen);
     node.value = kept ?? usual;
     if (node.selectedIndex < 0) node.value = usual; // a word of another version
     return { option, place: field(option.title, node, option.meaning), value: () => node.value };
@@ -38,7 +38,7 @@ function control(option: Option, kept: string | undefined, chosen: (text: string
   const wrong = h("p", { class: "objection", role: "alert" });
   const number = () => (/^\s*\d{1,9}\s*$/.test(node.value) && Number(node.value) >= option.least && Number(node.value) <= option.most ? Number(node.value) : null);
   const say = () => {
-    wrong.textContent = number() === null ? `A whole number, ${option.range.replaceAll("<=", "≤")}.` : "";
+    wrong.textContent = number() === null ? `A whole number from ${option.least} to ${option.most}.` : "";
     node.setAttribute("aria-invalid", String(number() === null));
   };
   const node = input((text) => {

@@ -6,6 +6,7 @@ export interface Key {
   path: string; // "test.confining_stress"
   meaning: string;
   range: string;
+  unit?: string; // of a number without one
   kind: "quantity" | "number" | "integer" | "boolean" | "choice" | "text" | "list";
   choices: string[];
 }
