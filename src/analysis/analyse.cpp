@@ -1,5 +1,7 @@
 #include "analysis/analyse.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <iterator>
 
@@ -55,6 +57,24 @@ std::vector<Number> with_reasons(std::vector<Number> numbers) {
     if (n.note.empty()) n.note = "the history holds no usable values for it";
   }
   return numbers;
+}
+
+void note_slowing(std::vector<Number>& numbers, const LoadingBranch& branch, double from, double to) {
+  const AxialOptions usual;
+  const auto passed = [&](StressRange range) {
+    const auto rows = first_passage(branch, range);
+    return !rows.empty() && std::fabs(rows.front().axial_strain) <= to &&
+           std::fabs(rows.back().axial_strain) >= from;
+  };
+  const bool middle = passed(usual.tangent), start = passed(usual.small_strain);
+  for (Number& n : numbers) {
+    const bool tangent = n.name.starts_with("E_tangent") || n.name.starts_with("nu");
+    const bool small = n.name.starts_with("E_small") || n.name == "sigma_ci_strain";
+    if ((tangent && middle) || (small && start))
+      n.note = joined(
+          n.note,
+          fmt::format("the bodies slowed down in this range, at strains of {:.3g} to {:.3g}", from, to));
+  }
 }
 
 const Number* find(const std::vector<Number>& numbers, const std::string& name) {

@@ -51,4 +51,9 @@ std::vector<Number> with_reasons(std::vector<Number> numbers);
 /// The number of that name, or nullptr.
 const Number* find(const std::vector<Number>& numbers, const std::string& name);
 
+/// Says of every modulus, of nu and of the onset of cracks whose range of stress was passed while the loading
+/// bodies changed their speed, between the strains `from` and `to`, that it was: inertia bends the curve
+/// there.
+void note_slowing(std::vector<Number>& numbers, const LoadingBranch& branch, double from, double to);
+
 }  // namespace phy::analysis

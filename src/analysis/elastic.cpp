@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/analyse.hpp"
 #include "base/nan.hpp"
 #include "base/stats.hpp"
 
@@ -157,24 +156,6 @@ Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom f
   if (!branch.empty())
     n.note = joined(n.note, fmt::format("no row below {:g} % of the largest stress", 100 * fraction));
   return n;
-}
-
-void note_slowing(std::vector<Number>& numbers, const LoadingBranch& branch, double from, double to) {
-  const AxialOptions usual;
-  const auto passed = [&](StressRange range) {
-    const auto rows = first_passage(branch, range);
-    return !rows.empty() && std::fabs(rows.front().axial_strain) <= to &&
-           std::fabs(rows.back().axial_strain) >= from;
-  };
-  const bool middle = passed(usual.tangent), start = passed(usual.small_strain);
-  for (Number& n : numbers) {
-    const bool tangent = n.name.starts_with("E_tangent") || n.name.starts_with("nu");
-    const bool small = n.name.starts_with("E_small") || n.name == "sigma_ci_strain";
-    if ((tangent && middle) || (small && start))
-      n.note = joined(
-          n.note,
-          fmt::format("the bodies slowed down in this range, at strains of {:.3g} to {:.3g}", from, to));
-  }
 }
 
 }  // namespace phy::analysis

@@ -39,9 +39,4 @@ Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom 
 std::vector<Number> window_checks(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
                                   StressRange range);
 
-/// Says of every modulus, of nu and of the onset of cracks whose range of stress was passed while the loading
-/// bodies changed their speed, between the strains `from` and `to`, that it was: inertia bends the curve
-/// there.
-void note_slowing(std::vector<Number>& numbers, const LoadingBranch& branch, double from, double to);
-
 }  // namespace phy::analysis

@@ -24,28 +24,14 @@ inline CLI::Validator within(double low, double high) {
           range};
 }
 
-void add_run_command(CLI::App& app, Session& session);
-void add_specimen_command(CLI::App& app, Session& session);
-void add_verify_command(CLI::App& app, Session& session);
-void add_recipe_command(CLI::App& app, Session& session);
-void add_rock_command(CLI::App& app, Session& session);
-void add_contact_command(CLI::App& app, Session& session);
-void add_replay_command(CLI::App& app, Session& session);
-void add_show_command(CLI::App& app, Session& session);
-void add_calibrate_command(CLI::App& app, Session& session);
-void add_report_command(CLI::App& app, Session& session);
+/// Registers a verb of the program.
+using AddVerb = void(CLI::App& app, Session& session);
+AddVerb add_run_command, add_specimen_command, add_verify_command, add_recipe_command, add_contact_command,
+    add_study_command, add_elastic_command, add_rock_command, add_show_command, add_replay_command,
+    add_calibrate_command, add_report_command, add_figure_command, add_film_command, add_export_command,
+    add_compare_command, add_envelope_command, add_gui_command, add_man_command, add_completion_command;
+
 /// Writes report.html of a study or calibration into its folder and prints its name.
 void write_report(const std::string& folder);
-void add_export_command(CLI::App& app, Session& session);
-void add_compare_command(CLI::App& app, Session& session);
-void add_figure_command(CLI::App& app, Session& session);
-void add_film_command(CLI::App& app, Session& session);
-void add_envelope_command(CLI::App& app, Session& session);
-void add_study_command(CLI::App& app, Session& session);
-void add_elastic_command(CLI::App& app, Session& session);
-/// What people and shells know of all other verbs: comes last.
-void add_gui_command(CLI::App& app, Session& session);
-void add_man_command(CLI::App& app, Session& session);
-void add_completion_command(CLI::App& app, Session& session);
 
 }  // namespace phy::cli

@@ -91,6 +91,14 @@ bool print_outcomes(const study::ElasticStudy& study, int width) {
   return all_solved;
 }
 
+/// Equal reasons on one line.
+void print_missing(const std::vector<study::NamedFit>& fits, int width) {
+  std::vector<std::string> missing;
+  for (const study::NamedFit& f : fits)
+    if (!f.fit.ok()) add_line(missing, f.name, "no fit: " + f.fit.reason);
+  for (const std::string& line : missing) print_wrapped(width, 2, "{}\n", line);
+}
+
 void print_fits(const study::ElasticStudy& study, bool modulus_loss, int width) {
   if (study.recipe.bedding.empty() || study.n_angles() == 0) return;
   if (!jointed_isotropic(study.recipe)) {
@@ -127,10 +135,7 @@ void print_fits(const study::ElasticStudy& study, bool modulus_loss, int width) 
                 set.has_planes() ? fmt::format("spacing {:g} mm", set.spacing * 1e3)
                                  : "joints dispersed, no spacing delta");
   print_out("{}", text_table(label, {normal, shear, shape}, width));
-  std::vector<std::string> missing;
-  for (const study::NamedFit& f : fits)
-    if (!f.fit.ok()) add_line(missing, f.name, "no fit: " + f.fit.reason);
-  for (const std::string& line : missing) print_wrapped(width, 2, "{}\n", line);
+  print_missing(fits, width);
 }
 
 /// Parameters down, specimens across; the intact specimen has no joints, and so a shorter list.

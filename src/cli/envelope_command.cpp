@@ -34,6 +34,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char *strengths_file = "envelope.csv", *fits_file = "fits.csv";
+
 struct EnvelopeArguments {
   std::string recipe, out = "results/envelope";
   std::vector<std::string> confining = {"0 MPa", "5 MPa", "10 MPa", "20 MPa"};
@@ -239,13 +241,10 @@ study::EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>&
   return tests;
 }
 
-int envelope_of(const EnvelopeArguments& args, const Session& session) {
-  const std::vector<double> confining = read_stresses(args.confining);
-  if (args.ensemble) return run_ensemble({{args.recipe}, args.out, args.with_untrusted}, session, confining);
-  const Recipe recipe = io::read_recipe(args.recipe);
-  stop_on_interrupt();
+/// Before hours of work: nothing of another recipe or another hand is in the way.
+void check_folders(const EnvelopeArguments& args, const Recipe& recipe,
+                   const std::vector<double>& confining) {
   const fs::path out(args.out);
-  const int width = session.terminal_width;
   std::vector<Problem> others;
   for (const double sigma_3 : confining)
     for (Problem& p :
@@ -256,25 +255,39 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   for (const double sigma_3 : confining)
     for (const std::string& name : specimen_names(recipe))
       io::check_result_place((out / folder_of(sigma_3) / io::folder_name(name)).string());
-  const std::string strengths = (out / "envelope.csv").string(), fits = (out / "fits.csv").string();
-  io::check_outputs({strengths, fits});
+  io::check_outputs({(out / strengths_file).string(), (out / fits_file).string()});
   io::check_writable(args.out);
+}
+
+std::vector<std::shared_ptr<const Specimen>> specimens_of(const Recipe& recipe) {
   const auto packing = genesis::packing_of(recipe, genesis::default_cache_folder(),
                                            [stop = stop_on_interrupt()] { return stop->load(); });
   std::vector<std::shared_ptr<const Specimen>> specimens;
-  for (Specimen& s : genesis::make_specimens(packing, study::confined_recipe(recipe, confining.front())))
+  for (Specimen& s : genesis::make_specimens(packing, recipe))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  lab::check_load_path(*specimens.front(), study::confined_recipe(recipe, confining.front()));
+  lab::check_load_path(*specimens.front(), recipe);
+  return specimens;
+}
+
+int envelope_of(const EnvelopeArguments& args, const Session& session) {
+  const std::vector<double> confining = read_stresses(args.confining);
+  if (args.ensemble) return run_ensemble({{args.recipe}, args.out, args.with_untrusted}, session, confining);
+  const Recipe recipe = io::read_recipe(args.recipe);
+  stop_on_interrupt();
+  const fs::path out(args.out);
+  const int width = session.terminal_width;
+  check_folders(args, recipe, confining);
+  const auto specimens = specimens_of(study::confined_recipe(recipe, confining.front()));
   print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
-                specimens.size(), packing->discs.size(), confining.size(),
+                specimens.size(), specimens.front()->packing->discs.size(), confining.size(),
                 recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
   print_notes(recipe.notes, width);
   flush_out();
   const study::EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const study::Envelope envelope =
       study::fit_envelope(args.with_untrusted ? study::with_untrusted(tests) : tests, recipe);
-  io::write_output(strengths, strengths_csv(tests));
-  io::write_output(fits, fits_csv(envelope));
+  io::write_output((out / strengths_file).string(), strengths_csv(tests));
+  io::write_output((out / fits_file).string(), fits_csv(envelope));
   print_strengths(tests, envelope, width);
   print_outcomes(tests, width);
   if (stop_on_interrupt()->load())
@@ -284,10 +297,10 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   print_wrapped(width, 2,
                 "tests in {}: envelope.csv, fits.csv, a folder per stress with one per finished specimen\n",
                 args.out);
-  for (const auto& of_stress : tests.results)
-    for (const TestResult& r : of_stress)
-      if (!has_strength(r.outcome.status)) return 1;
-  return 0;
+  const bool all_have = std::ranges::all_of(tests.results, [](const std::vector<TestResult>& of_stress) {
+    return std::ranges::all_of(of_stress, has_strength, [](const TestResult& r) { return r.outcome.status; });
+  });
+  return all_have ? 0 : 1;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -82,6 +83,17 @@ void refuse_empty_names(CLI::App& app) {
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_names(*verb);
 }
 
+/// In the order of --help. `man` and `completion`, which describe all others, come last.
+constexpr auto verbs = [] {
+  using namespace phy::cli;
+  return std::array{
+      add_run_command,      add_specimen_command, add_verify_command,    add_recipe_command,
+      add_contact_command,  add_study_command,    add_elastic_command,   add_rock_command,
+      add_show_command,     add_replay_command,   add_calibrate_command, add_report_command,
+      add_figure_command,   add_film_command,     add_export_command,    add_compare_command,
+      add_envelope_command, add_gui_command,      add_man_command,       add_completion_command};
+}();
+
 int run(int argc, char** argv) {
   phy::cli::Session session;
   session.terminal_width = phy::cli::terminal_size(STDOUT_FILENO).columns;
@@ -101,26 +113,7 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   app.require_subcommand(1);
   app.fallthrough();
-  phy::cli::add_run_command(app, session);
-  phy::cli::add_specimen_command(app, session);
-  phy::cli::add_verify_command(app, session);
-  phy::cli::add_recipe_command(app, session);
-  phy::cli::add_contact_command(app, session);
-  phy::cli::add_study_command(app, session);
-  phy::cli::add_elastic_command(app, session);
-  phy::cli::add_rock_command(app, session);
-  phy::cli::add_show_command(app, session);
-  phy::cli::add_replay_command(app, session);
-  phy::cli::add_calibrate_command(app, session);
-  phy::cli::add_report_command(app, session);
-  phy::cli::add_figure_command(app, session);
-  phy::cli::add_film_command(app, session);
-  phy::cli::add_export_command(app, session);
-  phy::cli::add_compare_command(app, session);
-  phy::cli::add_envelope_command(app, session);
-  phy::cli::add_gui_command(app, session);
-  phy::cli::add_man_command(app, session);
-  phy::cli::add_completion_command(app, session);
+  for (const auto add : verbs) add(app, session);
   refuse_empty_names(app);
   try {
     app.parse(argc, argv);

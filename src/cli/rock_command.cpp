@@ -125,6 +125,42 @@ int rock_twin(const std::string& recipe_file, const std::string& name, ModulusRe
   return 0;
 }
 
+void add_new(CLI::App& rock, Session& session) {
+  auto name = std::make_shared<std::string>("rock"), data = std::make_shared<std::string>();
+  CLI::App* verb = rock.add_subcommand("new", "write NAME.toml and NAME.csv to be filled in");
+  verb->add_option("name", *name, "name of the rock")->capture_default_str();
+  verb->add_option(
+          "--data", *data,
+          "a table that is there (CSV, .xlsx, AGS 4): NAME.toml names it, and no NAME.csv is written")
+      ->type_name("FILE");
+  verb->callback([name, data, &session] { session.exit_code = rock_new(*name, *data); });
+}
+
+void add_check(CLI::App& rock, Session& session) {
+  auto path = std::make_shared<std::string>();
+  CLI::App* verb = rock.add_subcommand("check", "what a rock's data can and cannot determine");
+  verb->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");
+  verb->callback([path, &session] { session.exit_code = rock_check(*path, session.terminal_width); });
+}
+
+void add_twin(CLI::App& rock, Session& session) {
+  auto recipe = std::make_shared<std::string>(), name = std::make_shared<std::string>();
+  auto E_is = std::make_shared<std::string>(to_string(ModulusReading::tangent_50));
+  const std::vector<std::string> readings = find_field(rock::rock_schema().fields, "E_is")->choices;
+  CLI::App* verb = rock.add_subcommand(
+      "twin", "write NAME.csv: a synthetic table made by the model itself, with 5 % noise");
+  verb->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required()->type_name("FILE");
+  verb->add_option("name", *name, "name of the table")->required();
+  verb->add_option("--E-is", *E_is, "what the table calls E, as in a rock file")
+      ->check(CLI::IsMember(readings))
+      ->capture_default_str();
+  verb->callback([=, &session] {
+    const auto which = std::find(readings.begin(), readings.end(), *E_is) - readings.begin();
+    session.exit_code =
+        rock_twin(*recipe, without_ending(*name), static_cast<ModulusReading>(which), session);
+  });
+}
+
 }  // namespace
 
 void add_rock_command(CLI::App& app, Session& session) {
@@ -132,12 +168,11 @@ void add_rock_command(CLI::App& app, Session& session) {
       app.add_subcommand("rock", "laboratory tables: write a template, check one, or make a synthetic one");
   rock->require_subcommand(0, 1);
   auto key = std::make_shared<std::string>();
-  auto reference = std::make_shared<bool>(false);
+  auto reference = std::make_shared<bool>(false), tables = std::make_shared<bool>(false);
   rock->add_option("--explain", *key, "meaning, range and default of a key of a rock file")
       ->type_name("KEY")
       ->check(suggested([] { return keys_of({&rock::rock_schema()}); }));
   rock->add_flag("--reference", *reference, "print all keys of a rock file");
-  auto tables = std::make_shared<bool>(false);
   rock->add_flag("--tables", *tables, "print the layouts, columns and units that are read from a table");
   rock->callback([=, &session] {
     if (!rock->get_subcommands().empty()) return;
@@ -149,35 +184,7 @@ void add_rock_command(CLI::App& app, Session& session) {
                            : jobs::explain({&rock::rock_schema()}, *key));
     session.exit_code = 0;
   });
-  auto name = std::make_shared<std::string>("rock");
-  CLI::App* fresh = rock->add_subcommand("new", "write NAME.toml and NAME.csv to be filled in");
-  fresh->add_option("name", *name, "name of the rock")->capture_default_str();
-  auto data = std::make_shared<std::string>();
-  fresh
-      ->add_option(
-          "--data", *data,
-          "a table that is there (CSV, .xlsx, AGS 4): NAME.toml names it, and no NAME.csv is written")
-      ->type_name("FILE");
-  fresh->callback([name, data, &session] { session.exit_code = rock_new(*name, *data); });
-  auto path = std::make_shared<std::string>();
-  CLI::App* check = rock->add_subcommand("check", "what a rock's data can and cannot determine");
-  check->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");
-  check->callback([path, &session] { session.exit_code = rock_check(*path, session.terminal_width); });
-  auto recipe = std::make_shared<std::string>();
-  CLI::App* twin = rock->add_subcommand(
-      "twin", "write NAME.csv: a synthetic table made by the model itself, with 5 % noise");
-  twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required()->type_name("FILE");
-  twin->add_option("name", *name, "name of the table")->required();
-  auto E_is = std::make_shared<std::string>(to_string(ModulusReading::tangent_50));
-  const std::vector<std::string> readings = find_field(rock::rock_schema().fields, "E_is")->choices;
-  twin->add_option("--E-is", *E_is, "what the table calls E, as in a rock file")
-      ->check(CLI::IsMember(readings))
-      ->capture_default_str();
-  twin->callback([=, &session] {
-    const auto which = std::find(readings.begin(), readings.end(), *E_is) - readings.begin();
-    session.exit_code =
-        rock_twin(*recipe, without_ending(*name), static_cast<ModulusReading>(which), session);
-  });
+  add_new(*rock, session), add_check(*rock, session), add_twin(*rock, session);
 }
 
 }  // namespace phy::cli

@@ -19,6 +19,7 @@
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/load.hpp"
+#include "io/new_folder.hpp"
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"

@@ -99,6 +99,31 @@ int compare_hashes(const Session& session) {
   return std::all_of(hashes.begin(), hashes.end(), [](const auto& h) { return h.equal(); }) ? 0 : 1;
 }
 
+/// Runs the cases, or `only` one of them; the exit code.
+int verify(const std::string& only, bool markdown, int width) {
+  int n_failed = 0, n_checks = 0;
+  if (markdown)
+    print_out(
+        "# Verification\n\nWritten by `phyllite verify --markdown`. Every number below was computed by the "
+        "program that users run.\nA tolerance is relative; where the expected value is 0 it is "
+        "absolute.\n");
+  for (const verification::VerificationCase& c : verification::verification_cases()) {
+    if (!only.empty() && c.id != only) continue;
+    const std::vector<verification::Check> checks = c.run();
+    for (const verification::Check& k : checks) n_failed += k.passed() ? 0 : 1, ++n_checks;
+    if (markdown)
+      print_markdown(c, checks);
+    else
+      print_plain(c, checks, width);
+  }
+  if (n_checks == 0)
+    throw InputError(
+        Problem{"command line", "case", only, fmt::format("one of {}", fmt::join(ids_of_cases(), ", ")), ""});
+  if (only.empty()) print_out("{}V16 is a unit test of src/genesis (make test).\n", markdown ? "\n" : "");
+  print_out("{}{} checks, {} failed\n", markdown ? "\n" : "", n_checks, n_failed);
+  return n_failed == 0 ? 0 : 1;
+}
+
 }  // namespace
 
 void add_verify_command(CLI::App& app, Session& session) {
@@ -114,32 +139,8 @@ void add_verify_command(CLI::App& app, Session& session) {
                  "compare the bits of small tests of every kind and contact model with the recorded ones")
       ->excludes(page)
       ->excludes(one);
-  verb->callback([markdown, only, hash, &session] {
-    if (*hash) {
-      session.exit_code = compare_hashes(session);
-      return;
-    }
-    int n_failed = 0, n_checks = 0;
-    if (*markdown)
-      print_out(
-          "# Verification\n\nWritten by `phyllite verify --markdown`. Every number below was computed by the "
-          "program that users run.\nA tolerance is relative; where the expected value is 0 it is "
-          "absolute.\n");
-    for (const verification::VerificationCase& c : verification::verification_cases()) {
-      if (!only->empty() && c.id != *only) continue;
-      const std::vector<verification::Check> checks = c.run();
-      for (const verification::Check& k : checks) n_failed += k.passed() ? 0 : 1, ++n_checks;
-      if (*markdown)
-        print_markdown(c, checks);
-      else
-        print_plain(c, checks, session.terminal_width);
-    }
-    if (n_checks == 0)
-      throw InputError(Problem{"command line", "case", *only,
-                               fmt::format("one of {}", fmt::join(ids_of_cases(), ", ")), ""});
-    if (only->empty()) print_out("{}V16 is a unit test of src/genesis (make test).\n", *markdown ? "\n" : "");
-    print_out("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
-    session.exit_code = n_failed == 0 ? 0 : 1;
+  verb->callback([=, &session] {
+    session.exit_code = *hash ? compare_hashes(session) : verify(*only, *markdown, session.terminal_width);
   });
 }
 

@@ -82,8 +82,9 @@ struct FlatJoint {
   }
 
   template <bool sample, class R, class P, class G, class Memory, class Broke>
-  PHY_HOT static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+  PHY_HOT static ContactForce<R> respond(const Given<P, G>& given, const Memory& memory, const Step<R>& step,
                                          Sums<R>& sums, const Broke& broke) {
+    const auto& [p, g] = given;
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt, before = memory.load(shear);
     const laws::flat_joint::Parameters<R> pf =
@@ -104,7 +105,7 @@ struct FlatJoint {
     const MaskOf<R> at_rest = (!interface) | ((code >= p[whole]) & holds);
     if (any(!at_rest))
       of_elements(g, [&]<int N>(Elements<N>) {
-        broken<N, R>(pf, memory, joined, touching.closure, at_rest, r, broke);
+        broken<N, R>(pf, memory, {joined, touching.closure, at_rest}, r, broke);
       });
     sums.slip += memory.only_here(r.dissipated, R(0));
     if constexpr (sample) {
@@ -127,22 +128,30 @@ struct FlatJoint {
     return s;
   }
 
+  /// How an interface moves, and the discs that have it.
+  template <class R>
+  struct Moved {
+    laws::Motion<R> m;
+    R disc_closure;     ///< of the discs' own surfaces [m]
+    MaskOf<R> at_rest;  ///< lanes that are done already
+  };
+
   /// Interfaces that have broken elements, or get some in this step: not `at_rest`.
   template <int N, class R, class Memory, class Broke>
-  PHY_RARE static void broken(const Law<R>& p, const Memory& memory, laws::Motion<R> m, R disc_closure,
-                              MaskOf<R> at_rest, laws::Reaction<R>& r, const Broke& broke) {
-    m.closure = m.closure - memory.load(start_gap);
+  PHY_RARE static void broken(const Law<R>& p, const Memory& memory, Moved<R> now, laws::Reaction<R>& r,
+                              const Broke& broke) {
+    now.m.closure = now.m.closure - memory.load(start_gap);
     State<R, N> s = state<N, R>(memory);
     const R slid = s.shear;
     laws::flat_joint::Cracks<R, N> cracks;
-    laws::flat_joint::by_elements<N, R>(p, s, m, at_rest, r, cracks);
+    laws::flat_joint::by_elements<N, R>(p, s, {now.m, now.at_rest}, r, cracks);
     for (int e = 0; cracks.some && e < N; ++e)
       if (any((cracks.tension[e] | cracks.shear[e]) & memory.here))
         broke(cracks.tension[e], cracks.shear[e], cracks.released[e], e);
     const R length = p.half_length + p.half_length;
-    const MaskOf<R> apart = (abs(slid) > p.k_s * length) | (m.closure < -length);
-    const MaskOf<R> leaves = (!at_rest) & (s.bonds < R(1)) & apart;
-    if (any(leaves)) leave<N, R>(p, s, m, disc_closure, leaves, r);
+    const MaskOf<R> apart = (abs(slid) > p.k_s * length) | (now.m.closure < -length);
+    const MaskOf<R> leaves = (!now.at_rest) & (s.bonds < R(1)) & apart;
+    if (any(leaves)) leave<N, R>(p, s, now, leaves, r);
     memory.store(bonds, select(leaves, R(0), s.bonds + R(1)));
     memory.store(shear, select(leaves, r.F_s, slid));
     for (std::size_t e = 0; e < std::size_t{N}; ++e)
@@ -151,13 +160,13 @@ struct FlatJoint {
 
   /// From now on a linear contact: what the interface held beyond that is lost as to slip.
   template <int N, class R>
-  PHY_RARE static void leave(const Law<R>& p, const State<R, N>& s, const laws::Motion<R>& m, R disc_closure,
-                             MaskOf<R> leaves, laws::Reaction<R>& r) {
+  PHY_RARE static void leave(const Law<R>& p, const State<R, N>& s, const Moved<R>& moved, MaskOf<R> leaves,
+                             laws::Reaction<R>& r) {
     const laws::linear::Parameters<R> linear{p.k_n, p.k_s, p.inv_k_s, p.mu};
     laws::linear::State<R> left{r.F_s};
     const laws::Reaction<R> now =
-        laws::linear::respond(linear, left, laws::Motion<R>{disc_closure, R(0), R(0), R(0)});
-    const R lost = laws::flat_joint::strain_energy<N, R>(p, s, m) -
+        laws::linear::respond(linear, left, laws::Motion<R>{moved.disc_closure, R(0), R(0), R(0)});
+    const R lost = laws::flat_joint::strain_energy<N, R>(p, s, moved.m) -
                    laws::linear::strain_energy(linear, now.F_n, now.F_s);
     r.dissipated = r.dissipated + select(leaves, lost, R(0));
     r.F_n = select(leaves, now.F_n, r.F_n), r.F_s = select(leaves, now.F_s, r.F_s);

@@ -56,7 +56,8 @@ struct Moved {
     const Memory<double, true> memory{fields.data(), true};
     sums = {};
     const double side = contact.kind == ContactKind::joint ? -1.0 : 0.0;
-    return Model::template respond<true>(p, g.data(), memory, Step<double>{motion, gap, side, 1.0, 0.0}, sums,
+    return Model::template respond<true>(Given{p, g.data()}, memory,
+                                         Step<double>{motion, gap, side, 1.0, 0.0}, sums,
                                          [&](bool, bool, double, int) { ++n_broken; });
   }
   Standing standing() const {
@@ -310,8 +311,9 @@ TEST(Models, ALinearContactBesideASlitKeepsItsSlip) {
     const Memory<R, true> memory{fields.data(), both};
     const R side(0), dt(1), extra(0);
     Sums<R> sums;
-    FlatJoint::respond<true>(Row<R>{p.data()}, alone.g.data(), memory, Step<R>{motion, 0.0, side, dt, extra},
-                             sums, nothing_breaks);
+    const Row<R> row{p.data()};
+    FlatJoint::respond<true>(Given{row, alone.g.data()}, memory, Step<R>{motion, 0.0, side, dt, extra}, sums,
+                             nothing_breaks);
     EXPECT_EQ(sums.slip[0], alone.sums.slip);
     slip += alone.sums.slip;
   }

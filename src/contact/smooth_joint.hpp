@@ -23,8 +23,9 @@ struct SmoothJoint {
   static const ContactModel& model();
 
   template <bool sample, class R, class P, class G, class Memory, class Broke>
-  PHY_HOT static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+  PHY_HOT static ContactForce<R> respond(const Given<P, G>& given, const Memory& memory, const Step<R>& step,
                                          Sums<R>& sums, const Broke& broke) {
+    const auto& [p, g] = given;
     const Kinematics<R>& k = step.motion;
     const R normal_x = step.side * p[nx];
     const R normal_y = step.side * p[ny];

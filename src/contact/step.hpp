@@ -9,7 +9,7 @@
 //   static const ContactModel& model();                                   its cold side
 //
 //   template <bool sample, class R, class P, class G, class Memory, class Broke>
-//   static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+//   static ContactForce<R> respond(const Given<P, G>& given, const Memory& memory, const Step<R>& step,
 //                                  Sums<R>& sums, const Broke& broke);
 //
 // It is asked for every pair in the list, in all lanes, also where the grains are far apart: forces and
@@ -84,6 +84,15 @@ struct Row {
   const ScalarOf<R>* base;
   R operator[](std::size_t i) const { return phy::load<R>(base, i); }
 };
+
+/// What a contact is, apart from its memory: a row of parameters, and the numbers of its geometry.
+template <class P, class G>
+struct Given {
+  const P& p;
+  G g;
+};
+template <class P, class G>
+Given(const P&, G) -> Given<P, G>;
 
 /// A number of the geometry that is the same for all contacts of a specimen.
 template <class T>

@@ -128,12 +128,12 @@ void ContactMemory<T>::install(std::size_t l, const Specimen& specimen) {
 /// (docs/decisions/0009).
 template <class T>
 void ContactMemory<T>::make_interface(std::size_t c, std::size_t l, const Specimen& specimen,
-                                      std::uint8_t set, int side, double gap) {
+                                      const Meeting& meeting) {
   const double F_s = state(c, l, specimen).F_s;
   std::array<double, most_numbers> fields{};
-  models_.interface->meet(gap, F_s, fields.data());
-  at(c, c_side, l) = T(side);
-  set_[c * W_ + l] = set;
+  models_.interface->meet(meeting.gap, F_s, fields.data());
+  at(c, c_side, l) = T(meeting.side);
+  set_[c * W_ + l] = meeting.set;
   set_fields(c, l, fields.data());
 }
 

@@ -60,9 +60,14 @@ class ContactMemory {
   void carry(std::vector<PairKey> pairs);
   /// Bonds and interfaces of a specimen as its test begins. All its pairs have places.
   void install(std::size_t lane, const Specimen& specimen);
-  /// An unbonded pair becomes a broken interface of a bedding set, `gap` apart.
-  void make_interface(std::size_t c, std::size_t lane, const Specimen& specimen, std::uint8_t set, int side,
-                      double gap);
+  /// An unbonded pair becomes a broken interface of a bedding set.
+  struct Meeting {
+    std::uint8_t set;
+    int side;    ///< as ContactConst has it: 1 where the plane's normal points from the first grain to the
+                 ///< second
+    double gap;  ///< they are apart [m]
+  };
+  void make_interface(std::size_t c, std::size_t lane, const Specimen& specimen, const Meeting& meeting);
   /// The affine start of all contacts of a lane: `field` gives the displacement at a point.
   template <class Field>
   void affine_start(std::size_t lane, const Specimen& specimen, const Field& field);

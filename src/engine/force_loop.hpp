@@ -5,6 +5,8 @@
 //
 // Cycles and rows take turns as sweep.hpp has it.
 #pragma once
+#include <type_traits>
+
 #include "engine/row_loop.hpp"
 #include "engine/sweep.hpp"
 
@@ -38,9 +40,9 @@ class ForceLoop : public RowLoop<R> {
       const R linear = lane[l_accel] * R(c.inv_area);
       const R angular = lane[l_accel] * R(c.inv_inertia);
       const R alpha = lane[l_damping];
-      work += move_component(grain, g_fx, g_vx, g_ux, linear, alpha, lane[l_dt]);
-      work += move_component(grain, g_fy, g_vy, g_uy, linear, alpha, lane[l_dt]);
-      work += move_component(grain, g_tq, g_w, g_rot, angular, alpha, lane[l_dt]);
+      work += move_component(grain, {g_fx, g_vx, g_ux}, linear, alpha);
+      work += move_component(grain, {g_fy, g_vy, g_uy}, linear, alpha);
+      work += move_component(grain, {g_tq, g_w, g_rot}, angular, alpha);
     }
     add_to(v.damping, static_cast<std::size_t>(step), work);
   }
@@ -59,11 +61,11 @@ class ForceLoop : public RowLoop<R> {
       ahead = kinematics(v.contact_const[i + 1 < end ? i + 1 : i]);
       const ContactConst<T>& c = v.contact_const[i];
       if (c.joint < 0) {
-        const ContactForce push = matrix<sample, true>(k, R(1) > R(0), i, step, sums);
+        const ContactForce push = matrix<sample, true>(k, R(1) > R(0), {i, step, sums});
         apply<sample>(c, k, push, sums);
       } else {
         contact::Sums<R> part;
-        const ContactForce push = mixed<sample>(c, k, i, step, part);
+        const ContactForce push = mixed<sample>(c, k, {i, step, part});
         apply<sample>(c, k, push, sums);
         sums.add(part);
       }
@@ -79,14 +81,17 @@ class ForceLoop : public RowLoop<R> {
   R matrix_constants[Matrix::n_parameters];
 
   /// One component of motion; returns the damping work times 2/dt.
-  static R move_component(T* grain, GrainField f, GrainField vel, GrainField u, R scale, R alpha, R dt) {
-    const R force = load<R>(grain, f);
-    const R old = load<R>(grain, vel);
+  struct Component {
+    GrainField force, velocity, displacement;
+  };
+  R move_component(T* grain, Component of, R scale, R alpha) const {
+    const R force = load<R>(grain, of.force);
+    const R old = load<R>(grain, of.velocity);
     const R brake = brake_of(force, old, alpha);
     const R now = old + (force - brake) * scale;
-    store(grain, vel, now);
-    store(grain, u, load<R>(grain, u) + now * dt);
-    store(grain, f, R(0));
+    store(grain, of.velocity, now);
+    store(grain, of.displacement, load<R>(grain, of.displacement) + now * lane[l_dt]);
+    store(grain, of.force, R(0));
     return brake * (old + now);
   }
 
@@ -99,52 +104,60 @@ class ForceLoop : public RowLoop<R> {
             load<R>(grain, g_vx), load<R>(grain, g_vy), load<R>(grain, g_w)};
   }
 
-  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part, int step,
-                              std::int32_t contact) {
+  /// A contact in a step, and where its sums go.
+  struct Place {
+    std::int32_t contact;
+    int step;
+    contact::Sums<R>& sums;
+  };
+
+  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part,
+                              const Place& place) {
     for (int l = 0; l < static_cast<int>(W); ++l) {
       const bool tension = NumberTraits<R>::test(in_tension, l);
       const bool shear = NumberTraits<R>::test(in_shear, l);
       if (tension || shear)
-        this->record_crack(step, contact, l, part, shear, NumberTraits<R>::get(released, l));
+        this->record_crack({place.step, place.contact, l, part, shear ? 1 : 0,
+                            static_cast<double>(NumberTraits<R>::get(released, l))});
     }
   }
 
-  /// What a model does with contact i, in the lanes `here`.
+  /// What a model does with a contact, in the lanes `here`.
   template <class Model, bool sample, bool everywhere, class Parameters>
-  PHY_HOT ContactForce ask(const Parameters& p, std::size_t first_number, const Kinematics& k, R side,
-                           MaskOf<R> here, std::int32_t i, int step, contact::Sums<R>& sums) {
-    const auto at = static_cast<std::size_t>(i);
+  PHY_HOT ContactForce ask(const Parameters& p, const Kinematics& k, R side, MaskOf<R> here,
+                           const Place& place) {
+    const auto at = static_cast<std::size_t>(place.contact);
+    constexpr std::size_t first_number = std::is_same_v<Model, Matrix> ? 0 : Matrix::n_geometry;
     const contact::Memory<R, everywhere> memory{v.contact + (at * n_contact_fields + c_fields) * W, here};
-    const contact::Step<R> now{k, R(v.contact_const[i].gap), side, lane[l_dt], lane[l_extra_strength]};
+    const contact::Step<R> now{k, R(v.contact_const[place.contact].gap), side, lane[l_dt],
+                               lane[l_extra_strength]};
     const auto broke = [&](MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part) {
-      record_cracks(in_tension & here, in_shear & here, released, part, step, i);
+      record_cracks(in_tension & here, in_shear & here, released, part, place);
     };
-    return Model::template respond<sample>(p, v.geometry + at * Models::n_geometry + first_number, memory,
-                                           now, sums, broke);
+    const contact::Given given{p, v.geometry + at * Models::n_geometry + first_number};
+    return Model::template respond<sample>(given, memory, now, place.sums, broke);
   }
 
   template <bool sample, bool everywhere>
-  PHY_HOT ContactForce matrix(const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
-                              contact::Sums<R>& sums) {
-    return ask<Matrix, sample, everywhere>(matrix_constants, 0, k, R(0), here, i, step, sums);
+  PHY_HOT ContactForce matrix(const Kinematics& k, MaskOf<R> here, const Place& place) {
+    return ask<Matrix, sample, everywhere>(matrix_constants, k, R(0), here, place);
   }
 
   template <bool sample>
   PHY_HOT ContactForce interface(const ContactConst<T>& c, const Kinematics& k, R side, MaskOf<R> here,
-                                 std::int32_t i, int step, contact::Sums<R>& sums) {
+                                 const Place& place) {
     const contact::Row<R> p{v.joint + static_cast<std::size_t>(c.joint) * Interface::n_parameters * W};
-    return ask<Interface, sample, false>(p, Matrix::n_geometry, k, side, here, i, step, sums);
+    return ask<Interface, sample, false>(p, k, side, here, place);
   }
 
   /// A contact that is an interface in some lanes: both models, blended lane by lane.
   template <bool sample>
-  PHY_HOT ContactForce mixed(const ContactConst<T>& c, const Kinematics& k, std::int32_t i, int step,
-                             contact::Sums<R>& sums) {
-    const R side = load<R>(v.contact, static_cast<std::size_t>(i) * n_contact_fields + c_side);
+  PHY_HOT ContactForce mixed(const ContactConst<T>& c, const Kinematics& k, const Place& place) {
+    const R side = load<R>(v.contact, static_cast<std::size_t>(place.contact) * n_contact_fields + c_side);
     const auto here = abs(side) > R(0);
-    if (!any(!here)) return interface<sample>(c, k, side, here, i, step, sums);
-    const ContactForce m = matrix<sample, false>(k, !here, i, step, sums);
-    const ContactForce j = interface<sample>(c, k, side, here, i, step, sums);
+    if (!any(!here)) return interface<sample>(c, k, side, here, place);
+    const ContactForce m = matrix<sample, false>(k, !here, place);
+    const ContactForce j = interface<sample>(c, k, side, here, place);
     return {select(here, j.fx, m.fx), select(here, j.fy, m.fy), select(here, j.M, m.M)};
   }
 

@@ -80,7 +80,7 @@ bool Group<T>::create_interface(std::size_t c, std::size_t l, double gap) {
     const std::int32_t a = s.plane_label[set * n + grains_.packing_id(key_a(contacts_.pairs()[c]))];
     const std::int32_t b = s.plane_label[set * n + grains_.packing_id(key_b(contacts_.pairs()[c]))];
     if (a == b) continue;
-    contacts_.make_interface(c, l, s, static_cast<std::uint8_t>(set), b > a ? 1 : -1, gap);
+    contacts_.make_interface(c, l, s, {static_cast<std::uint8_t>(set), b > a ? 1 : -1, gap});
     return true;
   }
   return false;

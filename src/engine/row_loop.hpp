@@ -111,9 +111,8 @@ class RowLoop {
     }
   }
 
-  PHY_RARE void record_crack(int step, std::int32_t contact, int l, int part, bool shear, T released) {
-    if (v.n_cracks < v.max_cracks)
-      v.cracks[v.n_cracks] = {step, contact, l, part, shear ? 1 : 0, static_cast<double>(released)};
+  PHY_RARE void record_crack(const RawCrack& crack) {
+    if (v.n_cracks < v.max_cracks) v.cracks[v.n_cracks] = crack;
     ++v.n_cracks;
   }
 

@@ -35,11 +35,18 @@ double largest_eigenvalue(const Sym3& m) {
 /// Rows: normal, shear, bending; columns: u_x, u_y, rotation, scaled by 1/sqrt(m), 1/sqrt(I).
 using Gradient = std::array<std::array<double, 3>, 3>;
 
-Gradient gradient(double sign, double lever, Vec2 branch_t, const ContactStiffness& k, double inv_m,
-                  double inv_i) {
+/// One of the two grains of a contact.
+struct Side {
+  double sign;          // -1: the first, 1: the second
+  double lever;         // from its centre to the contact [m]
+  double inv_m, inv_i;  // 1/sqrt(m), 1/sqrt(I)
+};
+
+Gradient gradient(const Side& side, const ContactStiffness& k) {
+  const auto [sign, lever, inv_m, inv_i] = side;
   // Row 0 is opening, row 1 slide at the contact point, row 2 relative rotation; the lever turns spin into
   // motion across the branch.
-  const Vec2 t = tangent(k.normal);
+  const Vec2 t = tangent(k.normal), branch_t = tangent(k.branch);
   return {{{sign * k.normal.x * inv_m, sign * k.normal.y * inv_m, -lever * dot(k.normal, branch_t) * inv_i},
            {sign * t.x * inv_m, sign * t.y * inv_m, -lever * dot(t, branch_t) * inv_i},
            {0.0, 0.0, sign * inv_i}}};
@@ -207,13 +214,12 @@ void FrequencyBound::bound_by_tensors(const std::vector<Blocks>& contacts,
 
 FrequencyBound::Blocks FrequencyBound::blocks_of(const ContactStiffness& k) const {
   const double r_a = packing_->discs[k.a].r, r_b = packing_->discs[k.b].r;
-  const Vec2 t = tangent(k.branch);
   const double inv_ma = 1.0 / std::sqrt(inertia_.mass(k.a, density_));
   const double inv_mb = 1.0 / std::sqrt(inertia_.mass(k.b, density_));
   // 1/sqrt(I) = sqrt(m r^2/I)/(r sqrt(m)).
   const double root = std::sqrt(inertia_.roundness());
-  const Gradient ga = gradient(-1.0, r_a + 0.5 * k.gap, t, k, inv_ma, inv_ma * root / r_a);
-  const Gradient gb = gradient(1.0, r_b + 0.5 * k.gap, t, k, inv_mb, inv_mb * root / r_b);
+  const Gradient ga = gradient({-1.0, r_a + 0.5 * k.gap, inv_ma, inv_ma * root / r_a}, k);
+  const Gradient gb = gradient({1.0, r_b + 0.5 * k.gap, inv_mb, inv_mb * root / r_b}, k);
   const auto symmetric = [](const std::array<std::array<double, 3>, 3>& m) {
     return Sym3{m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};
   };

@@ -129,29 +129,40 @@ class WideLoop : public RowLoop<ScalarOf<R>> {
             load<R>(c, wide_lever_b)};
   }
 
-  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part, int step,
-                              const std::int32_t* contacts) {
+  /// A batch in a step, and where its sums go.
+  struct Place {
+    const WideView<T>& w;
+    std::size_t batch;
+    int step;
+    contact::Sums<R>& sums;
+  };
+
+  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part,
+                              const Place& place) {
+    const std::int32_t* const contacts = place.w.contact + place.batch * W;
     for (int l = 0; l < static_cast<int>(W); ++l) {
       const bool tension = NumberTraits<R>::test(in_tension, l);
       const bool shear = NumberTraits<R>::test(in_shear, l);
       if (tension || shear)
-        this->record_crack(step, contacts[l], 0, part, shear, NumberTraits<R>::get(released, l));
+        this->record_crack({place.step, contacts[l], 0, part, shear ? 1 : 0,
+                            static_cast<double>(NumberTraits<R>::get(released, l))});
     }
   }
 
   /// What a model does with the contacts of a batch.
   template <class Model, bool sample, bool everywhere, class Parameters>
-  PHY_HOT ContactForce ask(const WideView<T>& w, const Parameters& p, std::size_t first_number,
-                           const Kinematics& k, R side, MaskOf<R> here, std::size_t batch, int step,
-                           contact::Sums<R>& sums) {
-    const T* c = w.constants + batch * n_constants * W;
-    const contact::Memory<R, everywhere> memory{w.state + (batch * n_contact_fields + c_fields) * W, here};
+  PHY_HOT ContactForce ask(const Parameters& p, const Kinematics& k, R side, MaskOf<R> here,
+                           const Place& place) {
+    constexpr std::size_t first_number = std::is_same_v<Model, Matrix> ? 0 : Matrix::n_geometry;
+    const T* c = place.w.constants + place.batch * n_constants * W;
+    const contact::Memory<R, everywhere> memory{
+        place.w.state + (place.batch * n_contact_fields + c_fields) * W, here};
     const contact::Step<R> now{k, load<R>(c, wide_gap), side, dt, extra_strength};
     const auto broke = [&](MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part) {
-      record_cracks(in_tension & here, in_shear & here, released, part, step, w.contact + batch * W);
+      record_cracks(in_tension & here, in_shear & here, released, part, place);
     };
-    return Model::template respond<sample>(p, contact::Row<R>{c + (n_wide_constants + first_number) * W},
-                                           memory, now, sums, broke);
+    const contact::Given given{p, contact::Row<R>{c + (n_wide_constants + first_number) * W}};
+    return Model::template respond<sample>(given, memory, now, place.sums, broke);
   }
 
   /// Forces of a batch, into the records of its places. `number`: of the batch in its row.
@@ -160,14 +171,14 @@ class WideLoop : public RowLoop<ScalarOf<R>> {
                      int step) {
     const auto batch = static_cast<std::size_t>(which), place = static_cast<std::size_t>(number) * W;
     contact::Sums<R> sums;
+    const Place here{w, batch, step, sums};
     ContactForce push;
     if constexpr (of_matrix) {
-      push = ask<Matrix, sample, true>(w, matrix_constants, 0, k, R(0), R(1) > R(0), batch, step, sums);
+      push = ask<Matrix, sample, true>(matrix_constants, k, R(0), R(1) > R(0), here);
     } else {
       const R side = load<R>(w.state, batch * n_contact_fields + c_side);
       const T* row = v.joint + static_cast<std::size_t>(w.joint[batch]) * Interface::n_parameters;
-      push = ask<Interface, sample, false>(w, Alike{row}, Matrix::n_geometry, k, side, abs(side) > R(0),
-                                           batch, step, sums);
+      push = ask<Interface, sample, false>(Alike{row}, k, side, abs(side) > R(0), here);
     }
     keep(k, push, w.push + place * record_size);
     if constexpr (sample) keep_sums(push, sums, place);
@@ -219,29 +230,26 @@ class WideLoop : public RowLoop<ScalarOf<R>> {
 
   /// Forces of a row onto its grains and those below, in the order of the contacts for each of them.
   PHY_HOT void push_grains(int row) const {
-    T* const grains = v.grain + g_fx;
     const WideView<T>& w = v.wide;
     for (std::int32_t i = w.row_group[row]; i < w.row_group[row + 1]; ++i) {
       const PushedGrains group = w.group[i];
-      const auto all = [&]<int n>(std::integral_constant<int, n>) {
-        push_group<n>(grains, w.pushed + group.first, w.pushed + group.end, w.pushes + group.first_push,
-                      w.push, group.n_pushes);
-      };
       switch (group.n_pushes) {
-        case 1: all(std::integral_constant<int, 1>{}); break;
-        case 2: all(std::integral_constant<int, 2>{}); break;
-        case 3: all(std::integral_constant<int, 3>{}); break;
-        case 4: all(std::integral_constant<int, 4>{}); break;
-        default: all(std::integral_constant<int, 0>{});
+        case 1: push_group<1>(w, group); break;
+        case 2: push_group<2>(w, group); break;
+        case 3: push_group<3>(w, group); break;
+        case 4: push_group<4>(w, group); break;
+        default: push_group<0>(w, group);
       }
     }
   }
   /// n: number of pushes where it is known when this is compiled.
   template <int n>
-  PHY_HOT static void push_group(T* grains, const std::int32_t* grain, const std::int32_t* end,
-                                 const std::int32_t* pushes, const T* push, int n_pushes) {
-    const int count = n > 0 ? n : n_pushes;
-    for (; grain < end; ++grain, pushes += count) {
+  PHY_HOT void push_group(const WideView<T>& w, const PushedGrains& group) const {
+    T* const grains = v.grain + g_fx;
+    const T* const push = w.push;
+    const int count = n > 0 ? n : group.n_pushes;
+    const std::int32_t *pushes = w.pushes + group.first_push, *const end = w.pushed + group.end;
+    for (const std::int32_t* grain = w.pushed + group.first; grain < end; ++grain, pushes += count) {
       T* const force = grains + static_cast<std::size_t>(*grain) * n_grain_fields;
       Four sum = four(force);
       for (int i = 0; i < count; ++i) sum += four(push + pushes[i]);

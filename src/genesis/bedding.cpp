@@ -123,8 +123,8 @@ void lay_set(Specimen& specimen, std::uint8_t number) {
     c.kind = ContactKind::joint;
     c.set = number;
     c.side = side_of(layer.planes(), a, b);
-    c.sigma_n = draw_strength(recipe.sigma_n, recipe.sigma_n_sd, specimen.matrix.bond_seed,
-                              Stream::joint_tension, c.a, c.b) /
+    c.sigma_n = draw_strength(recipe.sigma_n, recipe.sigma_n_sd,
+                              {specimen.matrix.bond_seed, Stream::joint_tension, c.a, c.b}) /
                 recipe.sigma_n;
   }
 }

@@ -10,13 +10,12 @@
 
 namespace phy::genesis {
 
-double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, std::uint32_t a,
-                     std::uint32_t b) {
+double draw_strength(double mean, double sd, const StrengthKey& of) {
   if (sd == 0.0) return mean;
   // At a positive mean at least half of the draws are accepted: 200 refusals in a row do not happen.
   for (std::uint32_t attempt = 0; attempt < 200; ++attempt) {
-    const auto key = static_cast<std::uint32_t>(seed);
-    const double z = normal(key, stream, std::min(a, b), std::max(a, b), attempt);
+    const auto key = static_cast<std::uint32_t>(of.seed);
+    const double z = normal(key, of.stream, std::min(of.a, of.b), std::max(of.a, of.b), attempt);
     const double strength = mean + sd * z;
     if (std::abs(z) <= strength_cut && strength > 0.0) return strength;
   }
@@ -35,9 +34,9 @@ double cos_2a(const Disc& a, const Disc& b, Vec2 foliation_normal) {
 /// The strengths of a contact that is bonded.
 void cement(Contact& c, const MatrixRecipe& m) {
   c.kind = ContactKind::bonded;
-  c.sigma_c = draw_strength(m.sigma_c, m.sigma_c_sd, m.bond_seed, Stream::bond_tension, c.a, c.b) *
+  c.sigma_c = draw_strength(m.sigma_c, m.sigma_c_sd, {m.bond_seed, Stream::bond_tension, c.a, c.b}) *
               contact::direction_factor(m.tension_ratio, c.cos_2a);
-  c.tau_c = draw_strength(m.tau_c, m.tau_c_sd, m.bond_seed, Stream::bond_shear, c.a, c.b) *
+  c.tau_c = draw_strength(m.tau_c, m.tau_c_sd, {m.bond_seed, Stream::bond_shear, c.a, c.b}) *
             contact::direction_factor(m.cohesion_ratio, c.cos_2a) *
             contact::oblique_factor(m.cohesion_oblique, c.cos_2a);
 }

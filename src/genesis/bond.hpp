@@ -20,9 +20,15 @@ namespace phy::genesis {
 /// Strengths are redrawn beyond this many standard deviations.
 constexpr double strength_cut = 3.0;
 
-/// Strength [Pa] of the bond between grains a and b (in either order). mean > 0 unless sd = 0.
-double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, std::uint32_t a,
-                     std::uint32_t b);
+/// Which draw: equal keys give equal strengths. The grains may be in either order.
+struct StrengthKey {
+  std::int64_t seed;
+  Stream stream;
+  std::uint32_t a, b;
+};
+
+/// Strength [Pa] of a bond. mean > 0 unless sd = 0.
+double draw_strength(double mean, double sd, const StrengthKey& of);
 
 /// All pairs that touch or have a gap <= bond_gap, bonded but for the unbonded and gapped fractions, sorted
 /// by (a, b).

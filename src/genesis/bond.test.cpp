@@ -18,7 +18,7 @@ struct Moments {
 Moments sample(double mean, double sd, Stream stream) {
   double sum = 0.0, sum2 = 0.0;
   for (std::uint32_t i = 0; i < n_draws; ++i) {
-    const double s = draw_strength(mean, sd, 11, stream, i, i + 1 + i % 7);
+    const double s = draw_strength(mean, sd, {11, stream, i, i + 1 + i % 7});
     EXPECT_LE(std::abs(s - mean), 3.0 * sd);
     sum += s;
     sum2 += (s - mean) * (s - mean);
@@ -38,17 +38,17 @@ TEST(Strength, HasMeanAndDeviationOfTheTruncatedNormal) {
 }
 
 TEST(Strength, WithoutScatterIsTheMeanExactly) {
-  EXPECT_EQ(draw_strength(0.1, 0.0, 1, Stream::bond_shear, 3, 4), 0.1);
+  EXPECT_EQ(draw_strength(0.1, 0.0, {1, Stream::bond_shear, 3, 4}), 0.1);
 }
 
 TEST(Strength, IsNeverZeroOrNegative) {
   for (std::uint32_t i = 0; i < n_draws; ++i)
-    EXPECT_GT(draw_strength(1.0, 1.0, 5, Stream::bond_tension, i, i + 1), 0.0);
+    EXPECT_GT(draw_strength(1.0, 1.0, {5, Stream::bond_tension, i, i + 1}), 0.0);
 }
 
 TEST(Strength, IsKeyedByThePairAloneAndTheSeed) {
   const auto draw = [](std::int64_t seed, Stream s, std::uint32_t a, std::uint32_t b) {
-    return draw_strength(65e6, 6.5e6, seed, s, a, b);
+    return draw_strength(65e6, 6.5e6, {seed, s, a, b});
   };
   const double s = draw(1, Stream::bond_tension, 3, 9);
   EXPECT_EQ(s, draw(1, Stream::bond_tension, 9, 3));
@@ -60,8 +60,8 @@ TEST(Strength, IsKeyedByThePairAloneAndTheSeed) {
 TEST(Strength, TensionAndShearAreUncorrelated) {
   double sum = 0.0;
   for (std::uint32_t i = 0; i < n_draws; ++i)
-    sum += (draw_strength(65.0, 6.5, 1, Stream::bond_tension, i, i + 1) - 65.0) *
-           (draw_strength(65.0, 6.5, 1, Stream::bond_shear, i, i + 1) - 65.0);
+    sum += (draw_strength(65.0, 6.5, {1, Stream::bond_tension, i, i + 1}) - 65.0) *
+           (draw_strength(65.0, 6.5, {1, Stream::bond_shear, i, i + 1}) - 65.0);
   EXPECT_LT(std::abs(sum / n_draws / (6.5 * 6.5)), 3.0 / std::sqrt(static_cast<double>(n_draws)));
 }
 

@@ -117,6 +117,15 @@ void find_coincident(const std::vector<Disc>& discs, const std::vector<int>& lin
                "it lies on that of line " + std::to_string(line[*k]) + ": remove one of the two"});
 }
 
+/// By hand and not by getline: the last line may lack its end, and line ends of Windows are taken off.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
 }  // namespace
 
 DiscFile parse_discs(std::string_view given, const std::string& where) {
@@ -127,11 +136,7 @@ DiscFile parse_discs(std::string_view given, const std::string& where) {
   std::string_view text = plain;
   bool header = false;
   for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    // By hand and not by getline: the last line may lack its end, and line ends of Windows are taken off.
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    const std::string_view line = take_line(text);
     // The box is looked for above the header only.
     if (line.starts_with('#') && !header) {
       if (const double w = box_side(line, "width"); w > 0.0) file.width = w;

@@ -16,6 +16,7 @@
 #include "base/check.hpp"
 #include "base/in_folder_fixture.hpp"
 #include "base/parallel.hpp"
+#include "io/new_folder.hpp"
 #include "io/output.hpp"
 
 namespace phy::io {

@@ -11,6 +11,7 @@
 #include "base/hash.hpp"
 #include "base/option.hpp"
 #include "base/quote.hpp"
+#include "io/disk.hpp"
 #include "io/file.hpp"
 
 namespace phy::io {

@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "io/disk.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
+#include "io/new_folder.hpp"
 #include "io/scene.hpp"
 #include "io/toml_in.hpp"
 #include "io/vtk.hpp"

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lab/boundaries.hpp"
-#include "lab/tests.hpp"
+#include "records/test_description.hpp"
 
 namespace phy::lab {
 namespace {
@@ -21,10 +20,10 @@ constexpr double extreme = 100.0;   // ratio of two stiffnesses
 
 class Suspects {
  public:
-  Suspects(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last, bool outran)
+  Suspects(const Specimen& specimen, const Recipe& recipe, bool jacket, const HistoryRow& last, bool outran)
       : packing_(*specimen.packing), matrix_(specimen.matrix), bedding_(specimen.bedding), recipe_(recipe) {
     overlaps();
-    boundary_stress();
+    boundary_stress(jacket);
     speed(last);
     if (recipe.engine.damping < undamped)
       add("raise engine.damping ({:g}): nothing takes vibrations away", recipe.engine.damping);
@@ -58,14 +57,13 @@ class Suspects {
             : "choose packing.initial_stress = \"stress_free\", or discs that overlap less",
         packing_.report.mean_overlap);
   }
-  void boundary_stress() {
+  void boundary_stress(bool jacket) {
     const KeptStress& kept = recipe_.test.kind->kept_stress;
     const double stress = kept.value != nullptr ? recipe_.test.*kept.value : 0.0;
     if (stress < squeezed * matrix_.E_c) return;
     add("lower test.{}: it is {:.2g} of the contact modulus{}", kept.key, stress / matrix_.E_c,
-        boundary_of(packing_, recipe_).boundary.jacket
-            ? "; test.confinement = \"walls\" does not drive grains that have come loose, as a jacket does"
-            : "");
+        jacket ? "; test.confinement = \"walls\" does not drive grains that have come loose, as a jacket does"
+               : "");
   }
   void speed(const HistoryRow& last) {
     const TestRecipe& test = recipe_.test;
@@ -99,9 +97,9 @@ class Suspects {
 
 }  // namespace
 
-std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last,
-                                  bool outran) {
-  return Suspects(specimen, recipe, last, outran).text();
+std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe,
+                                  const engine::Boundary& boundary, const HistoryRow& last, bool outran) {
+  return Suspects(specimen, recipe, boundary.jacket, last, outran).text();
 }
 
 }  // namespace phy::lab

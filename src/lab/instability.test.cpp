@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lab/tests.hpp"
 #include "records/assembly.hpp"
 
 namespace phy::lab {
@@ -15,7 +16,7 @@ std::string advice(const Recipe& r, const HistoryRow& last = {}, bool stress_fre
   packing->report.mean_overlap = 0.2;
   s.packing = packing;
   s.bedding = r.bedding;
-  return advice_on_instability(s, r, last);
+  return advice_on_instability(s, r, boundary_of(*packing, r).boundary, last);
 }
 
 bool names(const std::string& text, const char* key) { return text.find(key) != text.npos; }
@@ -32,11 +33,11 @@ TEST(Instability, AGrainThatOutranItsListAsksForAShorterInterval) {
   Specimen s;
   s.packing = std::make_shared<Packing>();
   Recipe r;
-  EXPECT_EQ(advice_on_instability(s, r, {}, true),
+  EXPECT_EQ(advice_on_instability(s, r, {}, {}, true),
             "lower test.history_interval (100): contacts are looked for that often");
   r.engine.damping = 0.0;
-  EXPECT_TRUE(names(advice_on_instability(s, r, {}, true), "raise engine.damping"));
-  EXPECT_FALSE(names(advice_on_instability(s, r, {}, true), "history_interval"));
+  EXPECT_TRUE(names(advice_on_instability(s, r, {}, {}, true), "raise engine.damping"));
+  EXPECT_FALSE(names(advice_on_instability(s, r, {}, {}, true), "history_interval"));
 }
 
 TEST(Instability, EveryCauseIsNamedByItsKey) {

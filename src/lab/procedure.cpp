@@ -11,7 +11,6 @@
 #include "base/check.hpp"
 #include "base/nan.hpp"
 #include "lab/instability.hpp"
-#include "lab/tests.hpp"
 #include "records/quality.hpp"
 
 namespace phy::lab {
@@ -31,16 +30,15 @@ std::string more_damping(const Recipe& recipe) {
 
 }  // namespace
 
-Procedure::Procedure(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group,
-                     int lane)
-    : specimen_(std::move(specimen)),
-      recipe_(recipe),
+Procedure::Procedure(TestSetup setup, engine::LaneGroup& group, int lane)
+    : specimen_(std::move(setup.specimen)),
+      recipe_(setup.recipe),
       group_(&group),
       lane_(lane),
-      result_(blank_result(*specimen_, recipe.test.kind)),
-      boundary_(std::make_shared<const TestBoundary>(boundary_of(*specimen_->packing, recipe))),
-      snapshots_(recipe.test.n_snapshots),
-      frames_(recipe.test.n_frames) {
+      result_(blank_result(*specimen_, recipe_.test.kind)),
+      boundary_(std::move(setup.boundary)),
+      snapshots_(recipe_.test.n_snapshots),
+      frames_(recipe_.test.n_frames) {
   PHY_CHECK(boundary_->boundary.axial.present(), "every test has an axial pair of bodies");
 }
 
@@ -122,7 +120,7 @@ bool Procedure::end_unstable(const engine::LaneHealth& health) {
   std::erase_if(group_->cracks(lane_),
                 [&](const engine::Breakage& b) { return static_cast<double>(b.crack.step) > last_good; });
   return end(Status::unstable, health.reason,
-             advice_on_instability(*specimen_, recipe_, row_, health.outran));
+             advice_on_instability(*specimen_, recipe_, boundary(), row_, health.outran));
 }
 
 bool Procedure::load_once_steady(bool at_target, double stress_over_target, double tolerance) {

@@ -33,11 +33,17 @@
 
 namespace phy::lab {
 
+/// What is tested, and what holds it.
+struct TestSetup {
+  std::shared_ptr<const Specimen> specimen;
+  const Recipe& recipe;  ///< outlives the test
+  std::shared_ptr<const TestBoundary> boundary;
+};
+
 class Procedure {
  public:
-  /// Specimen, recipe and group outlive the test.
-  Procedure(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group,
-            int lane);
+  /// The group outlives the test.
+  Procedure(TestSetup setup, engine::LaneGroup& group, int lane);
   virtual ~Procedure() = default;
   Procedure(Procedure&&) = default;
   /// Loads the specimen into the lane: before the first block, and to start over.

@@ -24,16 +24,14 @@ struct TestRoom {
   std::string (*boundary_name)(const Recipe&) = nullptr;
   TestBoundary (*boundary)(const Packing&, const Recipe&) = nullptr;
   /// The procedure, in a lane of the group.
-  std::unique_ptr<Procedure> (*begin)(const std::shared_ptr<const Specimen>&, const Recipe&,
-                                      engine::LaneGroup&, int lane) = nullptr;
+  std::unique_ptr<Procedure> (*begin)(const TestSetup&, engine::LaneGroup&, int lane) = nullptr;
   HoldKey hold = {};
 };
 
 /// TestRoom::begin of a procedure, which has the constructor of Procedure.
 template <class P>
-std::unique_ptr<Procedure> begin_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                      engine::LaneGroup& group, int lane) {
-  auto test = std::make_unique<P>(specimen, recipe, group, lane);
+std::unique_ptr<Procedure> begin_test(const TestSetup& setup, engine::LaneGroup& group, int lane) {
+  auto test = std::make_unique<P>(setup, group, lane);
   test->begin();
   return test;
 }

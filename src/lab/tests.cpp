@@ -46,7 +46,9 @@ TestBoundary boundary_of(const Packing& packing, const Recipe& recipe) {
 
 std::unique_ptr<Procedure> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                      engine::LaneGroup& group, int lane) {
-  return room_of(recipe).begin(specimen, recipe, group, lane);
+  const TestRoom& room = room_of(recipe);
+  const auto boundary = std::make_shared<const TestBoundary>(room.boundary(*specimen->packing, recipe));
+  return room.begin({specimen, recipe, boundary}, group, lane);
 }
 
 TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe) {

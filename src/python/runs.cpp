@@ -11,6 +11,7 @@
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
+#include "io/new_folder.hpp"
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "jobs/contact_words.hpp"

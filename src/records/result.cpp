@@ -1,9 +1,5 @@
 #include "records/result.hpp"
 
-#include "base/check.hpp"
-#include "base/hash.hpp"
-#include "records/test_description.hpp"
-
 namespace phy {
 
 using Row = HistoryRow;
@@ -80,37 +76,6 @@ std::vector<std::string> hashed_fields(std::initializer_list<const char*> of_the
         "slip", "damping", "released", "energy_error", "unbalanced"})
     names.emplace_back(balance);
   return names;
-}
-
-namespace {
-
-std::vector<double HistoryRow::*> hashed_values(const TestDescription& test) {
-  std::vector<double HistoryRow::*> values;
-  for (const std::string& name : test.hashed)
-    for (const HistoryColumn& column : test.columns)
-      if (name == column.name) values.push_back(column.value);
-  PHY_CHECK(values.size() == test.hashed.size(), "every name in a hash is that of one column");
-  return values;
-}
-
-}  // namespace
-
-std::string hash_of(const TestResult& result) {
-  Hash h;
-  const auto values = hashed_values(*result.history.kind);
-  for (const HistoryRow& row : result.history.rows)
-    for (double HistoryRow::*value : values) h.add(row.*value);
-  for (const CrackEvent& c : result.cracks) {
-    h.add(c.step), h.add(c.a), h.add(c.b);
-    h.add(static_cast<int>(c.mode)), h.add(static_cast<int>(c.place));
-    for (const double v :
-         {c.time, c.strain, c.position.x, c.position.y, c.normal.x, c.normal.y, c.size, c.energy})
-      h.add(v);
-  }
-  // After a blow-up positions are no numbers, and which ones depends on the neighbours in the lanes.
-  if (!result.snapshots.empty() && result.outcome.status != Status::unstable)
-    for (const GrainState& g : result.snapshots.back().grains) h.add(g.ux), h.add(g.uy), h.add(g.rotation);
-  return h.text();
 }
 
 }  // namespace phy

@@ -167,8 +167,4 @@ struct TestResult {
 /// Names of the columns that the hash of a history covers, in this order: clock, those of the test, balance.
 std::vector<std::string> hashed_fields(std::initializer_list<const char*> of_the_test);
 
-/// Fingerprint over the bits of the history's values that the test names (TestDescription::hashed), of every
-/// crack and final position; not over times, host or threads.
-std::string hash_of(const TestResult& result);
-
 }  // namespace phy

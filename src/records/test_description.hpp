@@ -126,4 +126,8 @@ struct TestDescription {
 /// All tests, uniaxial compression first. Defined by the laboratory.
 std::span<const TestDescription* const> laboratory_tests();
 
+/// Fingerprint over the bits of the history's values that the test names (TestDescription::hashed), of every
+/// crack and final position; not over times, host or threads.
+std::string hash_of(const TestResult& result);
+
 }  // namespace phy

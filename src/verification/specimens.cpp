@@ -14,7 +14,7 @@ std::vector<Check> strengths() {
   constexpr int n = 20000;
   double sum = 0.0, squares = 0.0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const double s = genesis::draw_strength(mean, sd, 1, Stream::bond_tension, i, i + 1);
+    const double s = genesis::draw_strength(mean, sd, {1, Stream::bond_tension, i, i + 1});
     sum += s, squares += (s - mean) * (s - mean);
   }
   // standard deviation of a normal variable cut at +-3 SD: sqrt(1 - 6 phi(3)/(2 Phi(3) - 1)) = 0.98658 SD

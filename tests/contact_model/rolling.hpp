@@ -21,8 +21,9 @@ struct Rolling {
   static const ContactModel& model();
 
   template <bool sample, class R, class P, class G, class Memory, class Broke>
-  PHY_HOT static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+  PHY_HOT static ContactForce<R> respond(const Given<P, G>& given, const Memory& memory, const Step<R>& step,
                                          Sums<R>& sums, const Broke&) {
+    const auto& [p, g] = given;
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt, closure = -(k.stretch + step.gap);
     const laws::linear::Parameters<R> law{p[k_n], p[k_s], p[inv_k_s], p[mu]};

@@ -8,7 +8,6 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
-#include "lab/semi_circular_bend/semi_circular_bend.hpp"
 #include "statics/crack_tip.hpp"
 
 namespace phy::lab {
@@ -24,8 +23,8 @@ constexpr double widest = 0.5;      // inner over outer radius of a ring in whic
 
 /// A vertical force on the line x of a roller, shared by its grains on either side. Grains that hardly hang
 /// on the others carry none.
-void press(statics::Boundary& boundary, const Packing& packing, const engine::BoundaryBody& roller,
-           const std::vector<int>& n_contacts, double x, double force) {
+std::vector<statics::Given> pressed(const Packing& packing, const engine::BoundaryBody& roller,
+                                    const std::vector<int>& n_contacts, double x, double force) {
   const engine::Touch *left = nullptr, *right = nullptr;
   const auto at = [&](const engine::Touch* t) { return packing.discs[t->grain].x; };
   for (const int least : {3, 0}) {
@@ -40,8 +39,8 @@ void press(statics::Boundary& boundary, const Packing& packing, const engine::Bo
   if (left == nullptr) left = right;
   if (right == nullptr) right = left;
   const double share = left == right ? 1.0 : (at(right) - x) / (at(right) - at(left));
-  boundary.loads.push_back({{left->grain, 1}, share * force});
-  if (left != right) boundary.loads.push_back({{right->grain, 1}, (1.0 - share) * force});
+  if (left == right) return {{{left->grain, 1}, force}};
+  return {{{left->grain, 1}, share * force}, {{right->grain, 1}, (1.0 - share) * force}};
 }
 
 /// Keeps the body from moving away: a grain with as many contacts as any.
@@ -54,11 +53,14 @@ void hold(statics::Boundary& boundary, const std::vector<int>& n_contacts) {
 statics::Boundary loads(const Specimen& specimen, const BendSpecimen& bend, const engine::Boundary& rollers) {
   std::vector<int> n_contacts(specimen.packing->discs.size(), 0);
   for (const Contact& c : specimen.contacts) ++n_contacts[c.a], ++n_contacts[c.b];
-  const double cx = flat_face(*specimen.packing, bend).x, P = 2.0 * bend.radius;  // nominal stress 1
+  const double cx = bend.flat_face(specimen.packing->width).x, P = 2.0 * bend.radius;  // nominal stress 1
   statics::Boundary boundary;
+  const auto add = [&](const auto& forces) {
+    boundary.loads.insert(boundary.loads.end(), forces.begin(), forces.end());
+  };
   for (const double side : {-0.5, 0.5})
-    press(boundary, *specimen.packing, rollers.bodies[0], n_contacts, cx + side * bend.span, 0.5 * P);
-  press(boundary, *specimen.packing, rollers.bodies[1], n_contacts, cx, -P);
+    add(pressed(*specimen.packing, rollers.bodies[0], n_contacts, cx + side * bend.span, 0.5 * P));
+  add(pressed(*specimen.packing, rollers.bodies[1], n_contacts, cx, -P));
   hold(boundary, n_contacts);
   return boundary;
 }
@@ -68,7 +70,7 @@ statics::Boundary loads(const Specimen& specimen, const BendSpecimen& bend, cons
 DirectIntensity direct_intensity(const Specimen& specimen, const BendSpecimen& bend,
                                  const engine::Boundary& rollers) {
   const double R = bend.radius;
-  const auto [cx, flat] = flat_face(*specimen.packing, bend);  // flat: the largest radius, too
+  const auto [cx, flat] = bend.flat_face(specimen.packing->width);  // flat: the largest radius, too
   const Vec2 up{0.0, 1.0};
   const statics::CrackTip tip{
       {cx, flat + bend.notch}, up, std::max(ring_from * R, grains_off * flat), ring_to * R};

@@ -29,6 +29,9 @@ struct BendSpecimen {
   double radius = 0.0;  ///< R [m]
   double notch = 0.0;   ///< a [m]
   double span = 0.0;    ///< s, from one support to the other [m]
+  /// The middle of the flat face in a box of this width, as genesis::cut_half_disc leaves it: the largest
+  /// radius of the grains above the bottom.
+  Vec2 flat_face(double width) const { return {0.5 * width, 0.5 * width - radius}; }
 };
 
 /// Y' = K_I 2 R B / (P sqrt(pi a)) of an isotropic body [-]; `notch_ratio` a/R, `span_ratio` s/(2R).

@@ -41,12 +41,8 @@ void add_roller(engine::BoundaryBody& body, const Packing& half, double x, doubl
 
 }  // namespace
 
-Vec2 flat_face(const Packing& half, const BendSpecimen& specimen) {
-  return {0.5 * half.width, 0.5 * half.width - specimen.radius};
-}
-
 BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen) {
-  const Vec2 flat = flat_face(half, specimen);
+  const Vec2 flat = specimen.flat_face(half.width);
   const std::int64_t first = first_grain(half, {flat.x, 0.0}, {0.0, 1.0});
   if (first >= 0) specimen.notch = half.discs[static_cast<std::size_t>(first)].y - flat.y;
   return specimen;
@@ -54,7 +50,7 @@ BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen) {
 
 TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen) {
   TestBoundary press;
-  const Vec2 flat = flat_face(half, specimen);
+  const Vec2 flat = specimen.flat_face(half.width);
   const double centre = flat.x, bearing = flat.y;  // to either side of a line
   engine::BoundaryBody supports{"support rollers", {}, {}, true}, loading{"loading roller", {}, {}, true};
   for (const double side : {-0.5, 0.5})
@@ -68,7 +64,7 @@ TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen) {
 }
 
 NotchMouth notch_mouth(const Packing& half, const BendSpecimen& specimen) {
-  const Vec2 flat = flat_face(half, specimen), inside{flat.x, 2.0 * flat.y};
+  const Vec2 flat = specimen.flat_face(half.width), inside{flat.x, 2.0 * flat.y};
   return {first_grain(half, inside, {-1.0, 0.0}), first_grain(half, inside, {1.0, 0.0})};
 }
 

@@ -30,10 +30,6 @@ BendSpecimen bend_specimen(const Recipe& recipe);
 /// it, too; elastic K of lattices and packings is that of this length (docs/theory/semi-circular-bend.md).
 BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen);
 
-/// The middle of the flat face of a half disc as genesis::cut_half_disc leaves it: the largest radius above
-/// the bottom of the box.
-Vec2 flat_face(const Packing& half, const BendSpecimen& specimen);
-
 /// Support rollers and loading roller (bodies 0 and 1) of a half disc as genesis::cut_half_disc leaves it.
 /// Axial: approach along y as a displacement [m]; stress over the diameter.
 TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen);

@@ -65,18 +65,29 @@ struct Cracks {
 };
 
 namespace detail {
-
 template <class R>
 R number(double v) {
   return R(static_cast<ScalarOf<R>>(v));
 }
+}  // namespace detail
+
+/// The motion of a step, for the lanes whose interface is not answered for as a whole.
+template <class R>
+struct PartMotion {
+  const Motion<R>& m;
+  MaskOf<R> at_rest;  ///< whole, and stays so: not these lanes
+};
+
+namespace detail {
 
 /// What the elements of an interface have in common.
 template <int N, class R>
 struct Division {
+  const Parameters<R>& p;
   R h, k_n, k_s, b;
-  Division(const Parameters<R>& p, R rotation)
-      : h(p.half_length * number<R>(1.0 / N)),
+  Division(const Parameters<R>& law, R rotation)
+      : p(law),
+        h(p.half_length * number<R>(1.0 / N)),
         k_n(p.k_n * number<R>(1.0 / N)),
         k_s(p.k_s * number<R>(1.0 / N)),
         b(abs(rotation) * h) {}
@@ -85,13 +96,17 @@ struct Division {
 
 /// Which elements are bonded, from their sum of powers of two.
 template <int N, class R>
-void read_bonds(R sum, MaskOf<R> (&bonded)[N]) {
-  for (int e = N - 1; e >= 0; --e) {
-    const R one = number<R>(1 << e);
-    bonded[e] = sum >= one;
-    sum = sum - select(bonded[e], one, R(0));
+struct Bonds {
+  MaskOf<R> of[N];
+  explicit Bonds(R sum) {
+    for (int e = N - 1; e >= 0; --e) {
+      const R one = number<R>(1 << e);
+      of[e] = sum >= one;
+      sum = sum - select(of[e], one, R(0));
+    }
   }
-}
+  MaskOf<R> operator[](int e) const { return of[e]; }
+};
 
 /// Sum over the elements from both ends inwards: the mirror image gives the same bits.
 template <int N, class R>
@@ -136,13 +151,22 @@ R bonded_energy(R a, R b) {
 
 /// Which of the bonded elements break in this step, in the lanes that are not `at_rest`.
 template <int N, class R>
-void find_cracks(const Parameters<R>& p, const Division<N, R>& of, R shear, const Motion<R>& m,
-                 const MaskOf<R> (&bonded)[N], MaskOf<R> at_rest, Cracks<R, N>& cracks) {
+void find_cracks(const Division<N, R>& of, R shear, const PartMotion<R>& now, const Bonds<N, R>& bonded,
+                 Cracks<R, N>& cracks) {
   for (int e = 0; e < N; ++e) {
-    const R a = m.closure + m.rotation * of.centre(e);
-    cracks.tension[e] = bonded[e] & (!at_rest) & fails_in_tension(p, a, of.b);
-    cracks.shear[e] = bonded[e] & (!at_rest) & (!cracks.tension[e]) & fails_in_shear(p, a, shear);
+    const R a = now.m.closure + now.m.rotation * of.centre(e);
+    cracks.tension[e] = bonded[e] & (!now.at_rest) & fails_in_tension(of.p, a, of.b);
+    cracks.shear[e] = bonded[e] & (!now.at_rest) & (!cracks.tension[e]) & fails_in_shear(of.p, a, shear);
   }
+}
+
+/// What broke, element by element, into what the contact reports: each at most once, tension first.
+template <int N, class R>
+void report_cracks(Cracks<R, N>& cracks, Reaction<R>& r) {
+  for (int e = 0; e < N; ++e) r.broke_tension = r.broke_tension | cracks.tension[e];
+  for (int e = 0; e < N; ++e) r.broke_shear = r.broke_shear | (cracks.shear[e] & (!r.broke_tension));
+  cracks.some = any(r.broke_tension | r.broke_shear);
+  if (cracks.some) r.released = sum(cracks.released);
 }
 
 }  // namespace detail
@@ -166,14 +190,14 @@ PHY_HOT inline MaskOf<R> holds(const Parameters<R>& p, R h, R shear, const Motio
 
 /// A step element by element, in the lanes that are not `at_rest`; `s.shear` is after it, `r` has the others.
 template <int N, class R>
-PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const Motion<R>& m, MaskOf<R> at_rest,
-                          Reaction<R>& r, Cracks<R, N>& cracks) {
+PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const PartMotion<R>& now, Reaction<R>& r,
+                          Cracks<R, N>& cracks) {
+  const auto& [m, at_rest] = now;
   const detail::Division<N, R> of(p, m.rotation);
   const R inv_k_s = p.inv_k_s * detail::number<R>(N), own = of.k_n * of.h * of.h * m.rotation,
           S_bonded = s.shear * detail::number<R>(1.0 / N);
-  MaskOf<R> bonded[N];
-  detail::read_bonds<N, R>(s.bonds, bonded);
-  detail::find_cracks<N, R>(p, of, s.shear, m, bonded, at_rest, cracks);
+  const detail::Bonds<N, R> bonded(s.bonds);
+  detail::find_cracks<N, R>(of, s.shear, now, bonded, cracks);
   R F[N], S[N], M[N], slip[N], left[N];
   for (int e = 0; e < N; ++e) {
     const R x = of.centre(e), a = m.closure + m.rotation * x;
@@ -204,10 +228,7 @@ PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const Motion<R
   r.F_s = select(at_rest, r.F_s, detail::sum(S));
   r.M = select(at_rest, r.M, detail::sum(M));
   r.dissipated = select(at_rest, r.dissipated, detail::sum(slip));
-  for (int e = 0; e < N; ++e) r.broke_tension = r.broke_tension | cracks.tension[e];
-  for (int e = 0; e < N; ++e) r.broke_shear = r.broke_shear | (cracks.shear[e] & (!r.broke_tension));
-  cracks.some = any(r.broke_tension | r.broke_shear);
-  if (cracks.some) r.released = detail::sum(cracks.released);
+  detail::report_cracks<N, R>(cracks, r);
 }
 
 /// One step. As long as an interface is whole only its most tensile element can break, and it answers as a
@@ -221,7 +242,7 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R, N>& s, const
   const R h = p.half_length * detail::number<R>(1.0 / N);
   const MaskOf<R> all = s.bonds >= detail::number<R>(whole<N>), held = holds(p, h, s.shear, m);
   const MaskOf<R> at_rest = all & held;
-  if (any(!at_rest)) by_elements<N, R>(p, s, m, at_rest, r, cracks);
+  if (any(!at_rest)) by_elements<N, R>(p, s, {m, at_rest}, r, cracks);
   return r;
 }
 
@@ -230,8 +251,7 @@ template <int N, class R>
 PHY_RARE R strain_energy(const Parameters<R>& p, const State<R, N>& s, const Motion<R>& m) {
   const detail::Division<N, R> of(p, m.rotation);
   const R S_bonded = s.shear * detail::number<R>(1.0 / N);
-  MaskOf<R> bonded[N];
-  detail::read_bonds<N, R>(s.bonds, bonded);
+  const detail::Bonds<N, R> bonded(s.bonds);
   R U[N];
   for (int e = 0; e < N; ++e) {
     const R a = m.closure + m.rotation * of.centre(e), S = select(bonded[e], S_bonded, s.S[e]);
@@ -248,8 +268,7 @@ template <int N, class R>
 Tangent<R> tangent(const Parameters<R>& p, const State<R, N>& s, const Motion<R>& m) {
   const detail::Division<N, R> of(p, m.rotation);
   const R per_length = p.k_n / (R(2) * p.half_length);
-  MaskOf<R> bonded[N];
-  detail::read_bonds<N, R>(s.bonds, bonded);
+  const detail::Bonds<N, R> bonded(s.bonds);
   Tangent<R> k{R(0), R(0), R(0)};
   for (int e = 0; e < N; ++e) {
     const R x = of.centre(e), a = m.closure + m.rotation * x;

@@ -58,19 +58,20 @@ R strain_energy(const Parameters<R>& p, R F_n, R F_s) {
 }
 
 namespace detail {
-/// Coulomb slip with implicit dilation from the trial state (F_n, trial); returns F_n, F_s and adds to the
+/// Coulomb slip with implicit dilation from the trial state (r.F_n, trial): into the forces of r and the
 /// dilation.
 template <class R>
-PHY_HOT inline void slip(const Parameters<R>& p, R trial, MaskOf<R> unbonded, R& F_n, R& F_s, R& dilation) {
-  const R excess = abs(trial) - p.mu * F_n;
-  const auto slips = unbonded & (F_n > R(0)) & (excess > R(0));
+PHY_HOT inline void slip(const Parameters<R>& p, R trial, MaskOf<R> unbonded, Reaction<R>& r, R& dilation) {
+  const R excess = abs(trial) - p.mu * r.F_n;
+  const auto slips = unbonded & (r.F_n > R(0)) & (excess > R(0));
   if (any(slips & (p.tan_psi > R(0)))) {  // lanes without dilation would only add zeros
     const R slope = p.k_n / p.k_s * p.tan_psi;
     const R e = select(slips, excess / (R(1) + p.mu * slope), R(0));
-    F_n += e * slope;
+    r.F_n += e * slope;
     dilation += e * p.tan_psi / p.k_s;
   }
-  F_s = select(unbonded, select(slips, sign(trial) * p.mu * F_n, select(F_n > R(0), trial, R(0))), F_s);
+  const R rubbing = select(slips, sign(trial) * p.mu * r.F_n, select(r.F_n > R(0), trial, R(0)));
+  r.F_s = select(unbonded, rubbing, r.F_s);
 }
 }  // namespace detail
 
@@ -94,7 +95,7 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
     const R F_n_closed = p.k_n * max0(g);
     const R before = s.dilation;
     r.F_n = select(unbonded, F_n_closed, F_n_bonded);
-    detail::slip(p, trial, unbonded, r.F_n, r.F_s, s.dilation);
+    detail::slip(p, trial, unbonded, r, s.dilation);
     const R shear_loss = R(0.5) * (s.F_s + r.F_s) * (s.F_s - p.k_s * m.d_slide - r.F_s) / p.k_s;
     const R lifted = R(0.5) * (F_n_closed + r.F_n) * (s.dilation - before);
     r.dissipated = select(unbonded & (!broken), shear_loss - lifted, R(0));

@@ -1,0 +1,110 @@
+#include "io/new_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/option.hpp"
+#include "io/disk.hpp"
+#include "io/file.hpp"
+#include "io/output.hpp"
+
+namespace phy::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+void check_place(const std::string& folder, const std::string& mark, const std::string& kind) {
+  std::error_code none;
+  // Symbolic links are not followed: a dangling one also occupies the name.
+  if (!fs::exists(fs::symlink_status(folder, none))) return;
+  if (!fs::is_directory(folder, none)) fail(folder, "be replaced", ENOTDIR);
+  if (fs::is_empty(folder, none)) return;
+  if (!fs::exists(fs::path(folder) / mark, none))
+    throw IoError(folder + ": cannot be replaced: the folder holds no " + kind + " (no " + mark +
+                  "); move it, or use another " + option("out"));
+  if (!fs::exists(fs::path(folder) / written_list, none)) return;  // made before there were lists
+  // Every file in it has to be ours and unchanged: the folder is replaced as a whole.
+  for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; entry.increment(none)) {
+    const std::string name = entry->path().lexically_relative(folder).string();
+    if (name != written_list && (entry->is_symlink(none) || !entry->is_directory(none)) &&
+        !is_as_written(folder, name))
+      throw IoError(entry->path().string() + ": stands in a " + kind +
+                    " that would be replaced, and is not as this program left it; move it away, or use "
+                    "another " +
+                    option("out"));
+  }
+}
+
+void remove_folder(const std::string& path) {
+  // Renamed first: readers see the whole folder or none, though deleting takes time.
+  const std::string old = beside(path, "old");
+  std::error_code error;
+  fs::rename(path, old, error);
+  if (!error) fs::remove_all(old, error);
+  if (error) fail(path, "be removed", error.value());
+}
+
+NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
+    : folder_(std::move(folder)), mark_(std::move(mark)), kind_(std::move(kind)) {
+  while (folder_.size() > 1 && folder_.back() == '/')
+    folder_.pop_back();  // the part lies beside x/, not in it
+  part_ = beside(folder_, "part");
+  check_place(folder_, mark_, kind_);
+  make_folder(parent_of(folder_));
+  remove_leftovers(parent_of(folder_));
+  // Left behind by a process of the same number that was killed.
+  std::error_code ignored;
+  fs::remove_all(part_, ignored);
+  make_folder(part_);
+  lock_ = ::open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ >= 0) ::flock(lock_, LOCK_EX | LOCK_NB);
+}
+
+NewFolder::~NewFolder() {
+  if (lock_ >= 0) ::close(lock_);
+  std::error_code ignored;
+  fs::remove_all(part_, ignored);
+}
+
+void NewFolder::add(const std::string& name, const std::string& content) {
+  const std::string real = (fs::path(part_) / name).string();
+  make_folder(parent_of(real));
+  // Errors name the final place, which the user knows.
+  write_synced(real, (fs::path(folder_) / name).string(), content);
+  folders_.insert(parent_of(real));
+  list_ += list_line(name, content);
+}
+
+void NewFolder::publish() {
+  write_synced((fs::path(part_) / written_list).string(), (fs::path(folder_) / written_list).string(), list_);
+  for (const std::string& name : folders_) sync_folder(name);
+  // Again: something may have been put there while the files were made.
+  check_place(folder_, mark_, kind_);
+  // An exchange leaves no moment without a result; the older one then has the temporary name and is removed.
+  if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, folder_.c_str(), RENAME_EXCHANGE) != 0) {
+    const bool older = errno != ENOENT;  // some file systems cannot exchange: step aside, then move in
+    const std::string old = beside(folder_, "old");
+    std::error_code error;
+    if (older) fs::rename(folder_, old, error);
+    if (!error) fs::rename(part_, folder_, error);
+    if (error) {
+      std::error_code ignored;
+      // The older result goes back where the new one cannot take its place.
+      if (older && !fs::exists(folder_, ignored)) fs::rename(old, folder_, ignored);
+      fail(folder_, "be replaced", error.value());
+    }
+    fs::remove_all(old, error);
+  }
+  sync_folder(parent_of(folder_));
+}
+
+}  // namespace phy::io
