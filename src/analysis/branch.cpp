@@ -23,6 +23,7 @@ void apply_rule(LoadingBranch& branch, const History& history, const StopRule& s
   }
   const StrengthPoint point = strength_point(strain, stress, stop);
   const HistoryRow* const at = rows[point.row];
+  // All numbers before the strength are read in rows up to it.
   branch.rows = {branch.rows.data(), static_cast<std::size_t>(at - branch.rows.data()) + 1};
   branch.rule = point.rule, branch.peaked = point.rule != StrengthRule::largest;
   branch.largest = at->axial_stress, branch.strain = at->axial_strain;
@@ -47,7 +48,9 @@ LoadingBranch loading_branch(const History& history, const StopRule& stop) {
     const HistoryRow& r = rows[i];
     if (!std::isfinite(r.axial_stress) || !std::isfinite(r.axial_strain)) continue;
     first = std::min(first, i);
+    // A row that does not exceed the largest stress confirms it as a peak.
     branch.peaked = !branch.rows.empty();
+    // Strictly: of equal rows the first is the peak.
     if (!(r.axial_stress > largest)) continue;
     largest = branch.largest = branch.highest = r.axial_stress;
     branch.strain = r.axial_strain;
@@ -63,6 +66,7 @@ std::span<const HistoryRow> first_passage(const LoadingBranch& branch, StressRan
   std::size_t first = 0;
   while (first < rows.size() && !(rows[first].axial_stress >= range.lo * branch.largest)) ++first;
   std::size_t last = first;
+  // The first passage: a stress that swings back into the range later is not read again.
   while (last < rows.size() && !(rows[last].axial_stress > range.hi * branch.largest)) ++last;
   return rows.subspan(first, last - first);
 }
@@ -76,6 +80,7 @@ double stress_at(const LoadingBranch& branch, double strain) {
   for (const HistoryRow& r : branch.rows) {
     if (!std::isfinite(r.axial_stress) || !std::isfinite(r.axial_strain)) continue;
     if (r.axial_strain >= strain) {
+      // Nothing is known before the first row.
       if (before == nullptr) return r.axial_stress;
       const double w = (strain - before->axial_strain) / (r.axial_strain - before->axial_strain);
       return before->axial_stress + w * (r.axial_stress - before->axial_stress);

@@ -17,6 +17,7 @@ constexpr double secant_level = 0.5;
 Number first_crack(const LoadingBranch& branch) {
   for (const HistoryRow& row : branch.rows)
     if (row.n_cracks > 0.0) return {"first crack", row.axial_stress, "Pa", "", ""};
+  // A curve from elsewhere has strain and stress alone.
   const bool counted = !branch.rows.empty() && std::isfinite(branch.rows.front().n_cracks);
   return {"first crack", nan, "Pa", "",
           counted ? "no crack in the rows up to the strength" : "cracks were not counted"};
@@ -61,6 +62,7 @@ double distance_of_curves(const History& ours, const History& theirs, const Stop
   double sum = 0.0;
   std::size_t n = 0;
   for (const HistoryRow& row : a.rows) {
+    // Behind either peak the curves part by chance.
     if (!(row.axial_strain <= std::min(a.strain, b.strain))) continue;
     const double difference = stress_at(b, row.axial_strain) - row.axial_stress;
     if (!std::isfinite(difference)) continue;

@@ -38,6 +38,7 @@ class Level {
   double mean() const { return mean_; }
   double noise() const { return errors * noise_; }
   double band(double strain) const {
+    // Prediction interval of a line: wider away from where it was fitted.
     const double far = strain - strain_;
     return std::max(least_, errors * noise_ * std::sqrt(1.0 + 1.0 / n_ + far * far / spread_));
   }
@@ -66,11 +67,13 @@ void place(const LoadingBranch& branch, double E, double nu, Number& n) {
       branch.rows.subspan(static_cast<std::size_t>(range.data() - branch.rows.data()));
   double largest = level.mean();
   for (const HistoryRow& r : rows)
+    // The level may still rise as pores close; less the noise, which the largest of many rows contains.
     if (usable(point(r))) largest = std::max(largest, point(r).crack - level.noise());
   const HistoryRow *last_on = nullptr, *last = nullptr;
   for (const HistoryRow& r : rows) {
     if (!usable(point(r))) continue;
     last = &r;
+    // The last row on the level: what leaves it and comes back has not begun to crack.
     if (point(r).crack >= largest - level.band(point(r).strain)) last_on = &r;
   }
   if (last_on == last)

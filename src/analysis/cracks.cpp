@@ -24,6 +24,7 @@ constexpr Kind kinds[] = {
 CrackCounts count_cracks(const std::vector<CrackEvent>& cracks, double up_to_strain) {
   CrackCounts n;
   for (const CrackEvent& c : cracks) {
+    // Without a peak its strain is NaN, and no crack is counted.
     if (!(c.strain <= up_to_strain)) continue;
     const bool tension = c.mode == CrackMode::tension;
     if (c.place == CrackPlace::matrix)

@@ -35,12 +35,14 @@ double largest(Rows rows, F&& value) {
   double most = nan;
   for (const HistoryRow& r : rows) {
     const double v = std::fabs(value(r));
+    // Negated, so that the first finite value replaces NaN.
     if (std::isfinite(v) && !(v <= most)) most = v;
   }
   return most;
 }
 
 double kinetic_ratio(const LoadingBranch& branch) {
+  // At the start little energy is stored, and any motion is large beside it.
   const auto early = first_passage(branch, {0.0, 0.2});
   return largest(branch.rows.subspan(early.size()), [](const HistoryRow& r) {
     return r.kinetic / (r.strain_linear + r.strain_bond + r.strain_joint + r.strain_wall);
@@ -60,6 +62,7 @@ void platen_checks(const LoadingBranch& branch, std::vector<Number>& out) {
               difference + " that 95 % of the rows before the " + branch.turn() + " do not exceed", all.note};
   if (!differences.empty()) {
     all.value = *std::max_element(differences.begin(), differences.end());
+    // A crack sends a wave that single rows catch: 95 % of the rows say whether the test is quasi-static.
     const auto nth = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() * 95 / 100);
     std::nth_element(differences.begin(), nth, differences.end());
     most.value = *nth;
@@ -85,6 +88,7 @@ Number peak_confirmed(const LoadingBranch& branch, const History& history) {
   for (const HistoryRow& r : std::span(history.rows)
                                  .subspan(static_cast<std::size_t>(branch.rows.data() + branch.rows.size() -
                                                                    history.rows.data()))) {
+    // A first peak that is exceeded later was none to those who look on.
     if (r.axial_stress > branch.largest) break;  // a first peak, exceeded later
     if (std::isfinite(r.axial_stress)) least = std::min(least, r.axial_stress);
     if (std::isfinite(r.axial_strain)) farthest = std::max(farthest, r.axial_strain);
@@ -99,6 +103,7 @@ double rise_time(const LoadingBranch& branch) {
   const auto& rows = branch.rows;
   if (rows.size() < 2) return nan;
   std::size_t half = rows.size() - 2;
+  // The second half is loaded evenly in every test.
   while (half > 0 && rows[half - 1].axial_strain >= 0.5 * branch.strain) --half;
   const HistoryRow &from = rows[half], &to = rows.back();
   return branch.strain * (to.time - from.time) / (to.axial_strain - from.axial_strain);
@@ -138,8 +143,10 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
 
 std::vector<Number> run_checks(const LoadingBranch& branch, const History& history, const WavePath& path) {
   const double work = largest_work(history.rows);
+  // energy_error is per work of its own row; over the work of the whole test the start counts little.
   const auto lost = [](const HistoryRow& r) { return r.energy_error * r.boundary_work; };
   const auto own = [](const HistoryRow& r) { return r.energy_error; };
+  // Histories of other programs have no energies.
   const bool present = work > 0.0;
   const std::string missing = present ? "" : no_energies;
   std::vector<Number> out = {

@@ -41,6 +41,7 @@ std::vector<char> dangling(const Neighbours& of) {
   std::vector<std::uint32_t> next;
   std::vector<char> gone(of.size(), 0);
   for (std::uint32_t g = 0; g < of.size(); ++g)
+    // One contact cannot hold a grain: it turns about it.
     if (left[g] = of[g].size(); left[g] < 2) next.push_back(g);
   while (!next.empty()) {
     const std::uint32_t g = next.back();
@@ -85,6 +86,7 @@ Number broken_at_start(const Specimen& specimen, const std::vector<CrackEvent>& 
     if (c.kind == ContactKind::bonded && (c.sigma_c > 0.0 || c.tau_c > 0.0)) bonds.emplace(c.a, c.b);
   const auto n_bonds = static_cast<double>(bonds.size());
   for (const CrackEvent& c : cracks)
+    // In the order of the specimen's pairs.
     if (c.step <= step) bonds.erase({std::min(c.a, c.b), std::max(c.a, c.b)});  // parts of a bond count once
   if (n_bonds > 0.0)
     share.value = 1.0 - static_cast<double>(bonds.size()) / n_bonds;

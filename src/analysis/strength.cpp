@@ -25,8 +25,10 @@ void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_
     return;
   }
   const auto nth = strains.begin() + static_cast<std::ptrdiff_t>(count - 1);
+  // Cracks are in the order of their cycles; a strain may have been zeroed between them.
   std::nth_element(strains.begin(), nth, strains.end());
   const double first_row = branch.rows.front().axial_strain;
+  // What broke before the first row, or in a jump to a pre-strain, was seen at none of its stresses.
   const double hidden = std::min(std::max(first_row, pre_strain), branch.strain);
   n.value = stress_at(branch, std::max(*nth, hidden));
   if (*nth > hidden) return;
@@ -55,6 +57,7 @@ void place_turn(const LoadingBranch& branch, double laterals, Number& n) {
     const double volume = r.axial_strain_gauge + laterals * r.lateral_strain_gauge;
     if (!std::isfinite(volume) || !std::isfinite(r.axial_stress)) continue;
     if (first == nullptr) first = &r;
+    // The first of equal ones: a plateau turns where it begins.
     if (volume > largest) largest = volume, best = &r;
     last = &r;
   }
@@ -63,6 +66,7 @@ void place_turn(const LoadingBranch& branch, double laterals, Number& n) {
     n.note = joined(n.note, "the history has no gauge strains");
   else if (best == last)
     n.note = joined(n.note, "the volumetric strain does not turn before " + branch.point());
+  // A turn needs a rise before it.
   else if (best == first || !(largest > 0.0))
     n.note = joined(n.note, "the specimen dilates from the first row on");
   else
@@ -116,9 +120,11 @@ std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vec
   }
   std::vector<double> strains;
   for (const CrackEvent& c : cracks)
+    // Behind the peak cracks run by themselves: they would shift the 1 %.
     if (c.strain <= branch.strain) strains.push_back(c.strain);
   place(branch, strains, 1, pre_strain, first);
   if (branch.peaked)
+    // 1 % rounded up; fewer than three cracks are chance.
     place(branch, strains, std::max<std::size_t>(3, (strains.size() + 99) / 100), pre_strain, ci);
   return {ci, first};
 }
@@ -140,6 +146,7 @@ Number crack_damage_volume(const LoadingBranch& branch) {
                        branch.stress, branch.turn(), largest_nu),
            branch_note(branch)};
   const Number nu = poisson_ratio(branch, {}, StrainFrom::gauge, "nu");
+  // axial + 2 lateral = (1 - 2 nu) axial: near nu = 0.5 it does not shorten at all.
   if (nu.value < largest_nu)
     place_turn(branch, 2.0, n);
   else if (std::isfinite(nu.value))

@@ -31,6 +31,7 @@ std::vector<Problem> by_line(const std::vector<Problem>& problems) {
     places.emplace_back(known - files.begin(), line, i);
     if (known == files.end()) files.push_back(file);
   }
+  // The place in the list breaks ties: problems of one line stay in order.
   std::sort(places.begin(), places.end());
   std::vector<Problem> sorted;
   for (const auto& place : places) sorted.push_back(problems[std::get<2>(place)]);
@@ -62,6 +63,7 @@ std::string shortened(const std::string& text) {
   constexpr std::size_t most = 200;
   if (text.size() <= most) return text;
   std::size_t end = most;
+  // Back to the first byte of a character.
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
   return text.substr(0, end) + "...";
 }

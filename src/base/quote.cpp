@@ -20,6 +20,7 @@ std::string visible(std::string_view text, std::string_view kept) {
     const std::size_t n = utf8_length(text);
     const std::string_view character = text.substr(0, std::max<std::size_t>(1, n));
     text.remove_prefix(character.size());
+    // An escape sequence in a file's name would be obeyed by the terminal.
     if ((n > 0 && !is_control(character)) || kept.find(character) != kept.npos) {
       out += character;
       continue;
@@ -41,6 +42,7 @@ std::size_t utf8_length(std::string_view text) {
   const unsigned first = at(0), second = at(1);
   if (first < 0x80) return 1;
   const std::size_t n = first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3 : 4;
+  // 0xC0 and 0xC1 begin overlong forms, above 0xF4 there is no character.
   if (first < 0xC2 || first > 0xF4) return 0;
   const unsigned least = first == 0xE0   ? 0xA0
                          : first == 0xF0 ? 0x90
@@ -82,6 +84,7 @@ std::string toml_string(std::string_view text) {
 }
 
 std::string toml_list(const std::vector<std::string>& values) {
+  // Some readers have lines of limited length.
   constexpr std::size_t longest = 1000;
   std::string text = "[";
   std::size_t line = 0;  // where the present one begins
@@ -96,6 +99,7 @@ std::string toml_list(const std::vector<std::string>& values) {
 std::string csv_cell(std::string_view text) {
   std::string plain = comment_text(text);
   const bool bare = plain.find_first_of(",;\"") == plain.npos && !plain.starts_with('#') &&
+                    // Programs take blanks at the ends off, and what begins with # for a comment.
                     !plain.starts_with(' ') && !plain.ends_with(' ');
   if (bare) return plain;
   std::string cell = "\"";
@@ -121,6 +125,7 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 std::string gnuplot_plain(std::string_view text) {
+  // gnuplot sets text in its own markup: "E_c" would be a subscript.
   constexpr std::string_view markup = "\\{}^_@&~";
   std::string out;
   for (const char c : comment_text(text)) {
@@ -132,6 +137,7 @@ std::string gnuplot_plain(std::string_view text) {
 
 std::string json_in_script(std::string_view json) {
   std::string out;
+  // "</script" in a name would end the script that holds it.
   for (const char c : json) c == '<' ? out += "\\u003c" : out += c;
   return out;
 }

@@ -48,6 +48,7 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
   const double mx = mean_of(x), my = mean_of(y), n = static_cast<double>(fit.n);
   double xx = 0.0, xy = 0.0, yy = 0.0, residuals = 0.0;
   for (std::size_t i = 0; i < fit.n; ++i) {
+    // About the means: sums of squares of stresses in Pa would lose their digits.
     xx += (x[i] - mx) * (x[i] - mx), xy += (x[i] - mx) * (y[i] - my), yy += (y[i] - my) * (y[i] - my);
   }
   if (!(xx > 0.0)) return fit;
@@ -57,7 +58,9 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
     const double r = (y[i] - my) - fit.slope * (x[i] - mx);
     residuals += r * r;
   }
+  // A level line fits level values entirely.
   fit.R2 = yy > 0.0 ? 1.0 - residuals / yy : 1.0;
+  // Two points lie on their line and say nothing of errors.
   if (fit.n < 3) return fit;
   const double variance = residuals / (n - 2.0);
   fit.slope_se = std::sqrt(variance / xx);

@@ -28,6 +28,7 @@ std::string render(const Columns& columns) {
       out +=
           (c.left ? fmt::format("{:<{}}", cell(c), c.width()) : fmt::format("{:>{}}", cell(c), c.width())) +
           std::string(gap, ' ');
+    // Blanks at the end would break the line of a terminal.
     text += out.substr(0, out.find_last_not_of(' ') + 1) + "\n";
   };
   line([](const Column& c) { return c.head; });
@@ -79,6 +80,7 @@ std::string text_table(const Column& label, const std::vector<Columns>& groups, 
       part = both;
       continue;
     }
+    // A group stays together where it can; else it begins a table of its own.
     if (part.size() > 1) end_part();
     for (const Column& c : group) {
       if (part.size() > 1 && !fits(joined(part, {c}))) end_part();
@@ -91,6 +93,7 @@ std::string text_table(const Column& label, const std::vector<Columns>& groups, 
 
 std::string wrapped(const std::string& text, int terminal_width, std::size_t indent) {
   if (terminal_width <= 0) return text;
+  // On a terminal narrower than that nothing would be left beside the indent.
   const auto width = std::max(static_cast<std::size_t>(terminal_width), 2 * indent);
   std::string out;
   for (std::size_t from = 0; from < text.size();) {

@@ -130,6 +130,7 @@ constexpr std::pair<const char*, const char*> same_signs[] = {
 std::string with_same_signs(std::string_view text) {
   std::string out;
   while (!text.empty()) {
+    // Bytes and not characters: what is in no pair goes through byte by byte.
     if (static_cast<unsigned char>(text.front()) < 0x80) {  // none of the list
       out += text.front(), text.remove_prefix(1);
       continue;
@@ -192,6 +193,7 @@ int take_power(std::string_view& text) {
     while (!exponential && (s.starts_with('^') || s.starts_with('*'))) s.remove_prefix(1);
     if (s.starts_with('+')) s.remove_prefix(1);
     const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), power);
+    // Larger powers are no units, but numbers of specimens and the like.
     if (error != std::errc() || std::abs(power) > 12) return 0;
     s.remove_prefix(static_cast<std::size_t>(end - s.data()));
   } else if (!times) {
@@ -231,6 +233,7 @@ constexpr const char* beyond = "is larger or smaller than a number can be";
 bool read_shifted(std::string_view number, int power, double& value) {
   const std::size_t e = number.find_first_of("eE");
   std::int64_t exponent = 0;
+  // Moved in the text: "30.1 GPa" is 30.1e9 rounded once, where 30.1 * 1e9 would be rounded twice.
   if (e != number.npos) {
     std::string_view digits = number.substr(e + 1);
     if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
@@ -260,6 +263,7 @@ std::string print_shifted(double value, int power) {
   if (value == 0.0) return std::signbit(value) ? "-0" : "0";
   char buffer[64];
   const auto end =
+      // The shortest digits that read back as this number.
       std::to_chars(buffer, buffer + sizeof buffer, std::fabs(value), std::chars_format::scientific).ptr;
   const std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
   const std::size_t e = text.find('e');
@@ -284,6 +288,7 @@ std::string unit_of(double usual, Dimension dimension) {
 std::string likely_unit(double number, double usual, Dimension dimension) {
   constexpr double far = 2.0;  // orders of magnitude
   const std::string plain = unit_of(usual, dimension);
+  // Zero has no order of magnitude.
   if (number == 0.0 || usual == 0.0) return plain;
   const auto farness = [&](const Unit& u) {
     return std::fabs(std::log10(std::fabs(number / usual)) + u.power);
@@ -334,6 +339,7 @@ const std::vector<UnitRow>& unit_rows() {
   static const std::vector<UnitRow> rows = [] {
     std::vector<UnitRow> all;
     for (const Unit& u : units) {
+      // Powers of ten are shown as such.
       const std::string size = u.factor == 1.0 ? fmt::format("1e{}", u.power)
                                                : fmt::format("{:.10g}", u.factor * std::pow(10.0, u.power));
       all.push_back(

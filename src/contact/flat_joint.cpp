@@ -26,6 +26,7 @@ class FlatJointModel final : public ContactModel {
   }
 
   bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const override {
+    // The number of elements decides which code runs: it cannot differ between lanes.
     return one.elements == other.elements;
   }
 
@@ -44,6 +45,7 @@ class FlatJointModel final : public ContactModel {
     out[F::mu] = m.unbreakable ? unlimited : m.mu;
     out[F::tan_phi] = m.shear_strength == ShearStrength::constant ? 0.0 : tan_degrees(m.phi);
     out[F::share] = 1.0 / static_cast<double>(m.elements);
+    // One more than the law counts: zero has to mean that there is no interface.
     out[F::whole] = 1.0 + all_bonds(m);
     out[F::edge] = m.break_at == BreakAt::edge ? 1.0 : 0.0;
   }
@@ -53,9 +55,11 @@ class FlatJointModel final : public ContactModel {
   void install(const Specimen& s, const Contact& c, double* fields) const override {
     if (c.kind != ContactKind::bonded) return;
     const double length = 2.0 * half_length(s, c);
+    // Without strength an interface is a slit from the start, which presses and rubs.
     fields[F::bonds] = 1.0 + (c.sigma_c > 0.0 ? all_bonds(s.matrix) : 0.0);
     fields[F::capacity] = c.sigma_c * length;
     fields[F::shear_capacity] = c.tau_c * length;
+    // Free of force at the distance that the discs have now, unless the recipe opens it.
     fields[F::start_gap] = c.gap;
   }
 
@@ -65,6 +69,7 @@ class FlatJointModel final : public ContactModel {
 
   laws::Tangent<double> stiffness(const Specimen& s, const Contact& c, bool) const override {
     const double k_n = s.matrix.modulus() * factor(s, c), R = half_length(s, c);
+    // Uniform springs over the length 2R resist rotation by k_n R^2/3; discs that merely touch do not.
     return {k_n, s.matrix.ks_over_kn * k_n, c.kind == ContactKind::bonded ? k_n * (R * R / 3.0) : 0.0};
   }
 
@@ -73,6 +78,7 @@ class FlatJointModel final : public ContactModel {
     constexpr laws::Tangent<double> none{0.0, 0.0, 0.0};
     const bool interface = c.kind == ContactKind::bonded;
     if (interface && c.sigma_c > 0.0) return {none, stiffness(s, c, true)};
+    // A slit closes by its own gap, discs by theirs.
     const double closing = interface ? c.gap : gap;
     const bool closed = closing <= touching_gap * 0.5 * (radius_of(s, c.a) + radius_of(s, c.b));
     return {closed ? stiffness(s, c, true) : none, none};
@@ -82,6 +88,7 @@ class FlatJointModel final : public ContactModel {
 
   ElasticPart elastic_rate(const Specimen& s, const Contact& c, double gap,
                            const ElasticParameter& p) const override {
+    // All is proportional to E_c; the ratio acts on shear alone.
     const ElasticPart k = elastic(s, c, gap);
     const auto rate = [&](const laws::Tangent<double>& t) -> laws::Tangent<double> {
       const double E = s.matrix.E_c;
@@ -100,10 +107,12 @@ class FlatJointModel final : public ContactModel {
     const double S = -m.ks_over_kn * k_n * dot(du, tangent(n));
     const bool interface = fields[F::bonds] > 0.0;
     const double gap = interface ? fields[F::start_gap] : c.gap;
+    // What is not bonded carries no more shear than friction allows, from the start on.
     const double limit = mu * k_n * std::max(-dot(du, n) - gap, 0.0), rubbing = std::clamp(S, -limit, limit);
     fields[F::shear] = interface ? S : rubbing;
     if (interface && !unbroken(fields))
       for (std::int64_t e = 0; e < m.elements; ++e)
+        // All elements of a slit have slid alike so far.
         fields[F::element_shear + e] = rubbing / static_cast<double>(m.elements);
   }
 
@@ -116,6 +125,7 @@ class FlatJointModel final : public ContactModel {
     out.kind = joined ? ContactKind::bonded : ContactKind::touching;
     out.broken = joined && !unbroken(c.fields);
     out.normal = (1.0 / norm(c.branch)) * c.branch;
+    // Asked with unlimited strength: a picture must not break anything.
     const laws::Reaction<double> r = now(c, unlimited).forces;
     out.F_n = r.F_n, out.F_s = r.F_s;
   }
@@ -126,6 +136,7 @@ class FlatJointModel final : public ContactModel {
     const double half = m.radius_multiplier * c.r_min / n;
     out.place = CrackPlace::matrix;
     out.size = 2.0 * half;
+    // An element breaks by itself: the crack is where it lies along the interface, not at the contact point.
     out.position = out.position + (2.0 * static_cast<double>(part) + 1.0 - n) * half * tangent(out.normal);
   }
 
@@ -155,6 +166,7 @@ class FlatJointModel final : public ContactModel {
     const auto law =
         F::law<double>(p, c.geometry, c.fields[F::capacity], c.fields[F::shear_capacity], extra_strength);
     Now out;
+    // A pair that never was joined, or has left its interface: a linear contact.
     if (!(c.fields[F::bonds] > 0.0)) {
       out.forces.F_n = law.k_n * std::max(closure - c.gap, 0.0), out.forces.F_s = c.fields[F::shear];
       return out;

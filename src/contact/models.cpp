@@ -24,6 +24,7 @@ const std::vector<Models>& list() {
 
 std::size_t combination_of(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {
   for (std::size_t i = 0; i < list().size(); ++i)
+    // The first that fits is the leanest: models that cost more come behind (models.hpp).
     if (list()[i].matrix->describes(matrix, bedding) && list()[i].interface->describes(matrix, bedding))
       return i;
   PHY_CHECK(false, "contact models describe every specimen that a recipe can have");

@@ -25,8 +25,10 @@ class SmoothJointModel final : public ContactModel {
  public:
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
+  // Any matrix can have bedding in it.
   bool describes(const MatrixRecipe&, const std::vector<BeddingRecipe>&) const override { return true; }
 
+  // Nothing of the recipe is in the geometry: lambda and stiffnesses are parameters.
   bool same_geometry(const MatrixRecipe&, const MatrixRecipe&) const override { return true; }
 
   void geometry(const MatrixRecipe&, double r1, double r2, double* out) const override {
@@ -36,6 +38,8 @@ class SmoothJointModel final : public ContactModel {
   void parameters(const Specimen& specimen, std::uint8_t number, double* out) const override {
     const BeddingRecipe& set = specimen.laid(number);
     const Vec2 n = plane_normal(set.theta);
+    // The normal is that of the plane and stays, as in PFC (small strain): grains may then slide into each
+    // other along it.
     out[F::nx] = n.x, out[F::ny] = n.y;
     out[F::k_n] = set.k_n * set.radius_multiplier, out[F::k_s] = set.k_s * set.radius_multiplier;
     out[F::mu] = specimen.matrix.unbreakable ? unlimited : set.mu;
@@ -45,19 +49,24 @@ class SmoothJointModel final : public ContactModel {
 
   void idle_parameters(double* out) const override {
     std::fill_n(out, F::n_parameters, 0.0);
+    // Ones where the law divides, and a normal of length 1.
     out[F::ny] = out[F::k_n] = out[F::k_s] = out[F::S_0] = 1.0;
   }
 
   void install(const Specimen& s, const Contact& c, double* fields) const override {
+    // c.sigma_n is the drawn strength over its mean: 1 where the recipe has no scatter.
     fields[F::capacity] = s.laid(c.set).sigma_n * c.sigma_n * area_of(s, c);
   }
 
   void meet(double gap, double F_s, double* fields) const override {
+    // Open by the gap between the discs, so that it presses once they touch; an overlap counts as closed, or
+    // it would push at once.
     fields[F::closure] = -std::max(gap, 0.0);
     fields[F::shear] = F_s;
   }
 
   Vec2 normal(const Specimen& s, const Contact& c, Vec2) const override {
+    // From the first grain to the second, as the law has it.
     return static_cast<double>(c.side) * plane_normal(s.laid(c.set).theta);
   }
 
@@ -67,6 +76,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   ElasticPart elastic(const Specimen& s, const Contact& c, double) const override {
+    // A bonded joint pulls as it pushes: all of it is bilateral.
     return {{0.0, 0.0, 0.0}, stiffness(s, c, true)};
   }
 
@@ -84,6 +94,7 @@ class SmoothJointModel final : public ContactModel {
   void affine_start(const Standing& c, Vec2 du, double* fields) const override {
     const BeddingRecipe& set = c.specimen.laid(c.set);
     const Vec2 n = c.side * plane_normal(set.theta);
+    // Bonded joints slide by elasticity alone; dilation is still zero.
     fields[F::shear] = -set.k_s * set.radius_multiplier * c.geometry[F::area] * dot(du, tangent(n));
     fields[F::closure] = -dot(du, n);
   }
@@ -106,6 +117,7 @@ class SmoothJointModel final : public ContactModel {
     out.broken = !unbroken(c.fields);
     out.normal = c.side * plane_normal(set.theta);
     const double g = c.fields[F::closure] + c.fields[F::dilation];
+    // Broken it cannot pull.
     out.F_n = set.k_n * A * (out.broken ? std::max(g, 0.0) : g);
     out.F_s = c.fields[F::shear];
   }
@@ -113,6 +125,7 @@ class SmoothJointModel final : public ContactModel {
   void crack(const Standing& c, std::size_t, CrackEvent& out) const override {
     const BeddingRecipe& set = c.specimen.laid(c.set);
     out.place = CrackPlace::bedding;
+    // Of the plane and not of the branch: the crack lies in the bedding.
     out.normal = plane_normal(set.theta);
     out.size = 2.0 * set.radius_multiplier * c.r_min;
   }

@@ -18,6 +18,7 @@ double chord(Vec2 n, double h, double w, double v) {
   const Vec2 along{n.y, -n.x};
   double first = -2.0 * (w + v), last = 2.0 * (w + v);
   const auto cut = [&](double start, double slope, double limit) {
+    // Along a side the line is inside it everywhere, or nowhere.
     if (slope == 0.0) {
       if (std::abs(start) > limit) last = first;
       return;
@@ -33,6 +34,7 @@ double chord(Vec2 n, double h, double w, double v) {
 
 std::int8_t side_of(const PlaneSet& planes, const Disc& a, const Disc& b) {
   const double rise = planes.height_of(b.x, b.y) - planes.height_of(a.x, a.y);
+  // Two centres on one height have no side; one of them has to be taken, on every machine the same.
   return rise < -parallel * (a.r + b.r) ? std::int8_t{-1} : std::int8_t{1};
 }
 
@@ -40,6 +42,7 @@ std::int8_t side_of(const PlaneSet& planes, const Disc& a, const Disc& b) {
 Vec2 contact_point(const Disc& a, const Disc& b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double l = std::sqrt(dx * dx + dy * dy);
+  // In the middle of gap or overlap, whatever the radii.
   const double s = l > 0.0 ? 0.5 * (l + a.r - b.r) / l : 0.5;
   return {a.x + s * dx, a.y + s * dy};
 }
@@ -74,6 +77,7 @@ class Layer {
   bool takes(const Contact& c, const Disc& a, const Disc& b, bool crosses) const {
     if (!recipe_.has_planes()) {
       const Vec2 branch{b.x - a.x, b.y - a.y};
+      // No planes: a contact is a joint by its direction alone.
       return std::abs(dot(branch, planes_.normal())) >= least_cos_ * norm(branch);
     }
     const Vec2 point = contact_point(a, b);
@@ -97,10 +101,12 @@ class Layer {
   /// Is its patch of the nearest plane jointed?
   bool is_jointed(const Contact& c, Vec2 point, double height) const {
     if (recipe_.patch_length == 0.0)
+      // Patches of no length: each contact by itself.
       return uniform(seed_, Stream::bedding_contact, c.a, c.b, set_) < recipe_.persistence;
     const std::uint32_t plane = counter(first_plane_ + planes_.nearest(height));
     const Vec2 n = planes_.normal();
     const double along = dot({n.y, -n.x}, point - centre_) / recipe_.patch_length;
+    // Each plane begins its patches elsewhere, or bridges would line up across the planes.
     const double patch = std::floor(along + uniform(seed_, Stream::bedding_phase, set_, plane));
     return uniform(seed_, Stream::bedding_patch, set_, plane, counter(patch)) < recipe_.persistence;
   }
@@ -160,6 +166,7 @@ BeddingReport report_on(const Specimen& specimen, std::uint8_t set) {
   }
   long n_joints = 0, n_same_side = 0, n_crossing = 0, n_bridges = 0;
   for (const Contact& c : specimen.contacts) {
+    // A grain on either side of any of the set's planes.
     const bool crosses = std::any_of(labels.begin(), labels.end(), [&](auto* l) { return l[c.a] != l[c.b]; });
     if (crosses) ++n_crossing;
     if (crosses && c.kind != ContactKind::joint) ++n_bridges;
@@ -202,6 +209,7 @@ void lay_apart(const BeddingRecipe& whole, std::uint8_t set, double radius, std:
   };
   add(0, whole.offset);
   double height = whole.offset;
+  // Outwards from the middle, so that a wider specimen has the same planes within.
   for (std::int32_t k = 1; (height += distance(k)) <= reach; ++k) add(k, height);
   height = whole.offset;
   for (std::int32_t k = 0; (height -= distance(k)) >= -reach; --k) add(k - 1, height);
@@ -231,6 +239,7 @@ double PlaneSet::distance(double height) const {
 double PlaneSet::total_length() const {
   const double reach = centre_.x * std::abs(normal_.x) + centre_.y * std::abs(normal_.y);
   double length = 0.0;
+  // One more to either side: their chords are zero where they miss the box.
   for (std::int32_t k = interval(-reach); k <= interval(reach) + 1; ++k)
     length += chord(normal_, offset_ + k * spacing_, centre_.x, centre_.y);
   return length;

@@ -52,6 +52,7 @@ std::string fingerprint(std::string_view text) {
 bool is_whole(std::string_view text) {
   const std::size_t end = text.rfind(last_line);
   if (end == text.npos) return false;
+  // A disk that was full, or a process killed: half a packing would be another rock.
   return text.substr(end) == std::string(last_line) + fingerprint(text.substr(0, end)) + "\n";
 }
 
@@ -77,12 +78,14 @@ std::optional<Packing> from_text(const std::string& text, const std::string& key
   std::istringstream in(text);
   std::string line;
   if (!std::getline(in, line) || line != first_line) return {};
+  // Names of files are hashes of keys: two keys could share one.
   if (!std::getline(in, line) || line != key) return {};
   Packing p;
   if (!read_hex(in, p.width) || !read_hex(in, p.height) || !(in >> p.stress_free >> p.hash)) return {};
   for (double* number : numbers_of(p.report))
     if (!read_hex(in, *number)) return {};
   std::size_t n = 0;
+  // A damaged number must not ask for all memory.
   if (!(in >> p.report.n_rattlers >> n) || n > text.size()) return {};
   p.discs.resize(n);
   for (Disc& d : p.discs)

@@ -28,6 +28,7 @@ Packing cut_disc(const Packing& packing, double diameter) {
             "a disc within the packing");
   const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
   Packing disc = packing;
+  // Whole grains, by their centres: the rim is as rough as the rock is coarse.
   std::erase_if(disc.discs, [&](const Disc& d) { return norm(Vec2{d.x, d.y} - centre) > 0.5 * diameter; });
   disc.width = disc.height = diameter + 2.0 * largest_radius(disc);
   move_by(disc, Vec2{0.5 * disc.width, 0.5 * disc.height} - centre);
@@ -44,6 +45,7 @@ Packing cut_half_disc(const Packing& packing, const SpecimenCut& cut, double bon
     return d.y < middle.y || norm(Vec2{d.x, d.y} - middle) > radius;
   });
   const double r_max = largest_radius(half);
+  // So wide that no grain reaches across, nor any bond over a gap.
   const double width = std::max({cut.notch_width, (2.0 + touch_tolerance) * r_max, 2.0 * r_max + bond_gap});
   std::erase_if(half.discs, [&](const Disc& d) {
     return d.y + d.r < middle.y + cut.notch_length && std::fabs(d.x - middle.x) < 0.5 * width;

@@ -50,6 +50,7 @@ Disc grown(const SettleBox& box, const Disc& rattler, const std::vector<Disc>& n
       d.y += slide * t.push.y;
       t = touch(box, d, neighbours);
     }
+    // Three neighbours hold a disc in the plane; pressed on as much as others are, it carries load.
     if (t.n >= 3 && t.overlap >= overlap * t.n) return d;
   }
   return rattler;
@@ -72,6 +73,7 @@ std::vector<std::uint32_t> find_rattlers(const SettleBox& box, const std::vector
   for (std::uint32_t i = 0; i < discs.size(); ++i) {
     std::vector<Disc> around;
     for (const std::uint32_t j : near[i]) around.push_back(discs[j]);
+    // Two contacts hold a disc only if they face each other, which never happens exactly.
     if (touch(box, discs[i], around).n < 3) rattlers.push_back(i);
   }
   return rattlers;

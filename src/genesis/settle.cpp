@@ -48,10 +48,12 @@ class Fire {
     for (;; ++n) {
       const ContactSums sums = add_forces();
       if (n >= max_iterations || n % iterations_per_check == 0) {
+        // Large packings take minutes, and Ctrl-C is not to wait for them.
         if (box_.stop && box_.stop()) throw Interrupted();
         Equilibrium e = measure(sums);
         e.n_iterations = n;
         const double mean_force = sums.force / static_cast<double>(std::max(1L, sums.n_pairs + sums.n_walls));
+        // Discs that have found room push each other no more: there is nothing to relax.
         e.loose = mean_force <= loose_overlap;
         if (n >= max_iterations || e.loose || e.unbalanced <= tolerance) return e;
       }
@@ -75,6 +77,7 @@ class Fire {
 
   void add_wall(ContactSums& s, double overlap, double r, double& component, double direction) {
     if (overlap <= 0.0) return;
+    // Of a modulus of 1: only ratios matter to where discs come to rest.
     const double f = laws::linear::wall_stiffness_factor * overlap;
     component += direction * f;
     s.force += f;
@@ -102,6 +105,7 @@ class Fire {
       if (d2 >= l * l) continue;
       const double d = std::sqrt(d2);
       const double f = p.k * (l - d);
+      // Two discs drawn on one point: any direction parts them.
       const Vec2 push = d > 0.0 ? (f / d) * Vec2{dx, dy} : Vec2{f, 0.0};
       force_[p.a] = force_[p.a] - push;
       force_[p.b] = force_[p.b] + push;
@@ -120,6 +124,7 @@ class Fire {
     for (const Vec2& f : force_) sum += norm(f);
     const double mean_force = s.force / static_cast<double>(std::max(1L, s.n_pairs + s.n_walls));
     if (s.force > 0.0) e.unbalanced = sum / static_cast<double>(force_.size()) / mean_force;
+    // Love-Weber in two dimensions: half of the trace of the stress.
     e.pressure = s.virial / (2.0 * box_.width * box_.height);
     e.stiffness = s.stiffness;
     e.mean_overlap = s.overlap / static_cast<double>(std::max(1L, s.n_pairs));
@@ -155,6 +160,7 @@ class Fire {
       f2 += dot(force_[i], force_[i]);
       v2 += dot(velocity_[i], velocity_[i]);
     }
+    // FIRE bends velocities towards the forces without changing their size.
     const double turn = f2 > 0.0 ? mixing_ * std::sqrt(v2 / f2) : 0.0;
     for (std::size_t i = 0; i < force_.size(); ++i) {
       velocity_[i] = (1.0 - mixing_) * velocity_[i] + turn * force_[i];
@@ -163,6 +169,7 @@ class Fire {
       const Vec2 u{discs_[i].x - at_search_[i].x, discs_[i].y - at_search_[i].y};
       travel2 = std::max(travel2, dot(u, u));
     }
+    // Two discs that come nearer by half the skin each might meet unseen.
     if (4.0 * travel2 >= skin_ * skin_) find_pairs();
   }
 

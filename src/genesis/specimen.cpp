@@ -34,6 +34,7 @@ void turn_layers(MatrixRecipe& matrix, std::vector<BeddingRecipe>& bedding, doub
   for (BeddingRecipe& set : bedding) {
     const double angle = &set == &bedding[0] ? theta : set.theta + turn;
     set.theta = angle - 180.0 * half_turns(angle);
+    // A half turn changes the side that the normal points to, and the offset with it.
     if (std::fmod(std::abs(half_turns(angle)), 2.0) == 1.0) set.offset = -set.offset;
   }
 }
@@ -42,9 +43,11 @@ std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, con
   if (!layered(recipe) && !recipe.test.angles.empty())
     throw InputError(Problem{"", "test.angles", std::to_string(recipe.test.angles.size()) + " angles",
                              "angles of layers", "add a [[bedding]] set or leave the angles out"});
+  // Cut first: bonds and planes belong to what is left.
   packing = shaped(std::move(packing), recipe);
   std::vector<Specimen> specimens;
   std::vector<double> angles = recipe.test.angles;
+  // Without a list the layers stand as they are.
   if (angles.empty() && layered(recipe)) angles.push_back(inclination(recipe));
   for (const double theta : angles) {
     MatrixRecipe matrix = recipe.matrix;

@@ -30,6 +30,7 @@ engine::BoundaryBody flat_wall(const Packing& packing, std::string name, Vec2 po
   wall.rough = rough;
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const Disc& d = packing.discs[i];
+    // Every grain, not only those at the wall: fragments may fly to it later.
     wall.touches.push_back({i, normal, dot(normal, {d.x, d.y}) - dot(normal, point) - d.r});
   }
   return wall;
@@ -42,6 +43,7 @@ std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction) {
     const Disc& d = packing.discs[i];
     const Vec2 c = Vec2{d.x, d.y} - from;
     const double across = cross(direction, c);
+    // The ray passes beside the disc.
     if (std::fabs(across) >= d.r) continue;
     const double distance = dot(direction, c) - std::sqrt(d.r * d.r - across * across);
     if (distance >= 0.0 && distance < nearest) nearest = distance, first = static_cast<std::int64_t>(i);
@@ -52,6 +54,7 @@ std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction) {
 double ray_spacing(const Packing& packing) {
   double r = packing.discs.front().r;
   for (const Disc& d : packing.discs) r = std::min(r, d.r);
+  // So close that no grain hides between two rays.
   return 0.25 * r;
 }
 
@@ -60,6 +63,7 @@ TestBoundary platens(const Packing& packing) {
   press.boundary.bodies = {flat_wall(packing, "bottom platen", {0.0, 0.0}, {0.0, 1.0}, true),
                            flat_wall(packing, "top platen", {0.0, packing.height}, {0.0, -1.0}, true)};
   set_axial(press, 0, 1, {0.0, 1.0}, {packing.height, packing.width});
+  // Before the first wave has gone through, what falls is no failure.
   press.first_wave = press_first_wave;
   return press;
 }
@@ -85,6 +89,7 @@ std::string platens_text(const TestRecipe& test) {
 }
 
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time) {
+  // A plane wave carries sqrt(E rho) v: force per displacement in a given time.
   return std::sqrt(matrix.modulus() * matrix.density) * area / time;
 }
 

@@ -11,6 +11,7 @@ class Bench final : public BenchContact {
   explicit Bench(std::span<const double> parameters) : law_(parameters) {}
   laws::Reaction<double> step(ContactPoint d) override {
     at_ = at_ + d;
+    // Laws take closure and rotation as totals, slide as an increment: as in the force loop.
     motion_ = {at_.closure, d.closure, d.slide, at_.rotation, d.rotation};
     return last_ = law_.step(motion_);
   }
@@ -56,9 +57,11 @@ std::vector<BenchRow> drive(BenchContact& contact, std::span<const ContactPoint>
   rows.front().stored = contact.energy();
   ContactPoint from;
   for (const ContactPoint& corner : corners) {
+    // Straight legs of equal steps, as the closed form takes them in one piece.
     const ContactPoint increment = (1.0 / steps) * (corner - from);
     for (int i = 0; i < steps; ++i) {
       const laws::Reaction<double> r = contact.step(increment);
+      // Dissipated and released are sums since the start.
       BenchRow row = rows.back();
       row.at = from + ((i + 1.0) / steps) * (corner - from);
       row.forces = {r.F_n, r.F_s, r.M};

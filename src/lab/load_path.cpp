@@ -14,6 +14,7 @@ std::size_t reach(const engine::BoundaryBody& body, const Packing& packing, std:
                   Clusters& clusters) {
   std::size_t n = 0;
   for (const engine::Touch& t : body.touches)
+    // As near as a grain that it will touch soon: the platens have not closed yet.
     if (t.gap < packing.discs[t.grain].r) clusters.join(t.grain, hub), ++n;
   for (const engine::Grip& g : body.grips) clusters.join(g.grain, hub), ++n;
   return n;
@@ -23,6 +24,7 @@ std::size_t reach(const engine::BoundaryBody& body, const Packing& packing, std:
 
 void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   const Packing& packing = *specimen.packing;
+  // Before minutes of computing: a specimen without a load path only shows as one that never peaks.
   const engine::Boundary boundary = boundary_of(packing, recipe).boundary;
   const auto n = static_cast<std::uint32_t>(packing.discs.size()), lo = n, hi = n + 1;
   Clusters clusters(n + 2);  // the grains and the two bodies

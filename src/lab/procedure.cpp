@@ -46,6 +46,7 @@ void Procedure::begin() {
   engine::LaneSetup setup;
   setup.damping = recipe_.engine.damping;
   setup.step_safety = recipe_.engine.step_safety;
+  // A test may have a friction of its own: of jaws instead of platens.
   setup.body_friction = recipe_.test.*test().friction;
   setup.boundary = {boundary_, &boundary_->boundary};
   group_->load(lane_, specimen_, setup);
@@ -57,6 +58,8 @@ void Procedure::begin() {
   if (packing().stress_free) {
     place_boundary();
   } else {
+    // While a locked-in stress settles the specimen has no sides to press on, and bonds that broke then would
+    // be no result.
     group_->forbid_breakage(lane_, true);
   }
 }
@@ -116,6 +119,7 @@ bool Procedure::end(Status status, std::string reason, std::string advice) {
 
 /// What broke in the block that the watchdog has rejected is as little worth as its row.
 bool Procedure::end_unstable(const engine::LaneHealth& health) {
+  // The watchdog looks once in a block: what broke within it may be the blow-up itself.
   const double last_good = row_.step - static_cast<double>(recipe_.test.history_interval);
   std::erase_if(group_->cracks(lane_),
                 [&](const engine::Breakage& b) { return static_cast<double>(b.crack.step) > last_good; });
@@ -126,6 +130,7 @@ bool Procedure::end_unstable(const engine::LaneHealth& health) {
 bool Procedure::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
   if (!at_target) return false;
   n_steady_ = std::fabs(stress_over_target - 1.0) < tolerance ? n_steady_ + 1 : 0;
+  // In a row: a swing that passes the target is not steady.
   if (n_steady_ == steady_blocks) {
     zero_strains();
     start_loading();
@@ -163,12 +168,14 @@ void Procedure::write_load() {
   row_.stress_top = -dot(body(along.hi).force, along.direction) / boundary_->axial.area;
   row_.axial_stress = 0.5 * (row_.stress_bottom + row_.stress_top);
   if (across.present()) {
+    // Opposite bodies push against each other: half of the difference is the mean.
     const Vec2 force = body(across.lo).force - body(across.hi).force;
     row_.lateral_strain = strain(across, boundary_->lateral) - zero_lateral_;
     row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_->lateral.area;
   }
   if (boundary_->boundary.jacket) {
     const engine::JacketState jacket = group_->jacket(lane_);
+    // A jacket has no place: the area that it has swept, over that of the specimen, is its strain.
     row_.lateral_strain = jacket.swept / (packing().width * packing().height) - zero_lateral_;
     row_.lateral_stress = jacket.pressure;
   }
@@ -178,6 +185,7 @@ void Procedure::write_load() {
 
 void Procedure::zero_strains() {
   group_->zero_strains(lane_);
+  // Strains count from the end of the preparation, as a laboratory zeroes its gauges.
   zero_axial_ += row_.axial_strain, zero_lateral_ += row_.lateral_strain;
   row_.axial_strain = row_.lateral_strain = row_.volumetric_strain = 0.0;
   row_.axial_strain_gauge = row_.lateral_strain_gauge = 0.0;
@@ -191,6 +199,7 @@ bool Procedure::after_block() {
     return !(phase_ == Phase::prepare && begin_without()) && end_unstable(health);
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
+    // As quiet as the tests themselves are while they load.
     if (row.unbalanced <= settled) {
       place_boundary();
       return false;
@@ -206,6 +215,7 @@ bool Procedure::after_block() {
   if (phase_ == Phase::prepare) return prepare(blocks_);
   result_.history.rows.push_back(row);
   const Reading now = reading(row);
+  // The first of equal rows: a plateau peaks where it begins.
   if (now.stress > peak_.stress) peak_ = now;
   end_approach(now.strain);
   keep_pictures();
@@ -263,11 +273,13 @@ bool Procedure::end_without_peak(const Reading& now) {
   if (specimen_->matrix.unbreakable)
     return end(Status::not_peaked, "nothing can break, up to " + at,
                "set matrix.unbreakable = false to get a strength");
+  // A stress that falls without cracks is no failure of bonds.
   if (now.stress < recipe_.test.stop_at * peak_.stress && n_broken < least_cracks)
     return end_without_cracks(
         fmt::format("the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds "
                     "broke",
                     stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken));
+  // Only a stress that has begun to fall would ever reach another stop_at.
   const char* const or_stop = now.stress < almost * peak_.stress ? ", or test.stop_at" : "";
   return end(Status::not_peaked,
              fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to {}",
@@ -290,6 +302,7 @@ bool Procedure::end_without_cracks(const std::string& what) {
 
 Snapshot Procedure::snapshot() const {
   Snapshot shot = group_->snapshot(lane_);
+  // The group knows no strain: that belongs to the test.
   shot.axial_strain = row_.axial_strain, shot.axial_stress = row_.axial_stress;
   return shot;
 }
@@ -297,6 +310,7 @@ Snapshot Procedure::snapshot() const {
 Frame Procedure::frame() const {
   Frame f{row_.step, row_.axial_strain, row_.axial_stress, {}};
   for (const GrainState& g : group_->grains(lane_))
+    // Enough for a picture, in half the room.
     f.u.push_back({static_cast<float>(g.ux), static_cast<float>(g.uy)});
   return f;
 }
@@ -380,6 +394,7 @@ void Procedure::judge_approach() {
 }
 
 void Procedure::read_numbers() {
+  // Of the specimen as a body: waves run through it with its pores.
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
@@ -392,6 +407,7 @@ void Procedure::read_numbers() {
   note_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
   if (marks.empty() || !marks.front().ends_test()) return;
+  // These have a worse name already.
   if (outcome.status == Status::unstable || outcome.status == Status::interrupted) return;
   if (has_strength(outcome.status)) outcome.status = Status::untrusted;
   outcome.reason = marks.front().text() + "; it ended with " + outcome.reason;
@@ -401,6 +417,7 @@ void Procedure::read_numbers() {
 TestResult Procedure::take_result() {
   for (const engine::Breakage& broken : group_->cracks(lane_)) {
     result_.cracks.push_back(broken.crack);
+    // The engine knows how far the bodies had come when it broke; strain is a matter of the test.
     result_.cracks.back().strain = broken.travel / boundary_->axial.length - zero_axial_;
   }
   // Cracks of one contact in one step stay in the order of its parts.

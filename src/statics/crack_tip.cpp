@@ -28,6 +28,7 @@ Eigen::Vector3d mean_stress(const Network& net, const std::vector<laws::Tangent<
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < net.links.size(); ++i) {
     const Link& l = net.links[i];
+    // A contact counts where its point lies, as a whole: edges of the window even out over many contacts.
     if (!within(w, net.x[l.a] + l.arm_a * l.branch)) continue;
     const std::array<double, 3> share = stress_share(l, k[i], strains(l, u));
     sum += Eigen::Vector3d(share[0], share[1], share[2]);
@@ -42,6 +43,7 @@ Eigen::Vector3d mean_strain(const Network& net, const Movements& u, const Window
   Eigen::Matrix<double, 3, 2> right = Eigen::Matrix<double, 3, 2>::Zero();
   for (std::size_t i = 0; i < net.n_grains; ++i) {
     if (!within(w, net.x[i])) continue;
+    // A plane through the displacements: their gradient is the mean strain, whatever the shape of the window.
     const Eigen::Vector3d place(1.0, net.x[i].x - w.lo.x, net.x[i].y - w.lo.y);
     ++n, squares += place * place.transpose();
     right += place * Eigen::RowVector2d(u[3 * i], u[3 * i + 1]);
@@ -76,6 +78,8 @@ Roots roots_of(const Compliance& S) {
   for (const Complex& root : roots_of_monic({S[1][1] * scale, -2.0 * S[1][2] * scale,
                                              (2.0 * S[0][1] + S[2][2]) * scale, -2.0 * S[0][2] * scale}))
     if (root.imag() > 0.0 && n < 2) r.mu[n++] = root;
+  // The formulas divide by their difference, and isotropic rock has mu = i twice. Moved apart to both sides,
+  // so that what this changes is of second order.
   if (std::abs(r.mu[0] - r.mu[1]) < apart) r.mu[0] *= 1.0 - apart, r.mu[1] *= 1.0 + apart;
   for (std::size_t k = 0; k < 2; ++k) {
     const Complex m = r.mu[k];
@@ -87,6 +91,8 @@ Roots roots_of(const Compliance& S) {
 
 /// Movements (1, 2) of the two terms of order n at (x_1, x_2): for sum c_k = unit, then sum mu_k c_k = unit.
 Eigen::Matrix2d terms(const Roots& r, int n, double x_1, double x_2) {
+  // Faces of the crack are free of stress: terms of odd order have real coefficients, of even order imaginary
+  // ones.
   const Complex unit = n % 2 == 1 ? Complex(1.0, 0.0) : Complex(0.0, 1.0);
   const Complex span = r.mu[1] - r.mu[0];
   const std::array<std::array<Complex, 2>, 2> c = {
@@ -111,6 +117,7 @@ EffectiveCompliance effective_compliance(const Network& net, std::span<const Win
   for (std::uint32_t i = 0; i < net.n_grains; ++i) {
     bool inside = false;
     for (const Window& w : windows) inside = inside || within(w, net.x[i], margin);
+    // Everything outside moves with a uniform strain; only the windows, and a margin, answer freely.
     if (inside) continue;
     driven.push_back(i);
     for (int component = 0; component < 3; ++component) prescribed.push_back({i, component});
@@ -152,11 +159,13 @@ StressIntensity stress_intensity(const Network& net, const Movements& u, const C
           terms(roots, n, dot(x, tip.ahead) / tip.farthest, dot(x, across) / tip.farthest);
     b.segment<2>(row) = Eigen::Vector2d(dot(v, tip.ahead), dot(v, across));
   }
+  // Columns are scaled to length 1: orders grow with the distance, and the fit would be ill-conditioned.
   const Eigen::VectorXd size = A.colwise().norm();
   const Eigen::VectorXd fit = linear_least_squares(A * size.cwiseInverse().asDiagonal(), b).x;
   const Eigen::VectorXd c = fit.cwiseQuotient(size);
   const double scale = std::sqrt(2.0 * pi / tip.farthest);
   const Eigen::VectorXd moved = b - A.leftCols(2) * c.head(2);
+  // The first order is the square root: its two coefficients are K_I and K_II.
   return {scale * c[2], -scale * c[3], (b - A * c).norm() / moved.norm()};
 }
 

@@ -10,6 +10,7 @@ namespace phy::statics {
 namespace {
 
 double wrapped(double distance, double period) {
+  // Half a period away both images are equally near; rounding up takes one of them always.
   return period > 0.0 ? -period * std::floor(distance / period + 0.5) : 0.0;
 }
 
@@ -27,6 +28,7 @@ Vec2 branch_of(const Specimen& s, const Contact& c, Vec2 shift) {
 Link link_of(const Specimen& s, const Contact& c, Vec2 period, const contact::Models& models) {
   PHY_CHECK(c.a < s.packing->discs.size() && c.b < s.packing->discs.size(), "a contact joins two discs");
   PHY_CHECK(c.kind != ContactKind::joint || c.set < s.n_laid(), "a joint belongs to a bedding set");
+  // A lattice continues beyond its box: the second grain may be the image in the next cell.
   const Vec2 straight = branch_of(s, c, {0.0, 0.0});
   Link l;
   l.a = c.a, l.b = c.b;
@@ -34,6 +36,7 @@ Link link_of(const Specimen& s, const Contact& c, Vec2 period, const contact::Mo
   const Vec2 branch = branch_of(s, c, l.shift);
   const double gap = gap_of(s, c, branch);
   l.branch = (1.0 / norm(branch)) * branch;
+  // The contact point lies in the middle of gap or overlap, as in the force loop.
   l.arm_a = s.packing->discs[c.a].r + 0.5 * gap, l.arm_b = s.packing->discs[c.b].r + 0.5 * gap;
   const contact::ContactModel& model = models.of(c.kind);
   l.n = model.normal(s, c, l.branch);
@@ -42,6 +45,7 @@ Link link_of(const Specimen& s, const Contact& c, Vec2 period, const contact::Mo
   return l;
 }
 
+/// A smooth platen only pushes; glued ones hold.
 bool frictionless(const Link& platen) { return platen.unilateral; }
 
 laws::Tangent<double> operator+(laws::Tangent<double> a, laws::Tangent<double> b) {

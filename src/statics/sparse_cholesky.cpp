@@ -25,11 +25,13 @@ template <int n>
 [[gnu::always_inline]] inline void subtract(double* __restrict to, const double* const* from, const double* f,
                                             std::size_t end) {
   const double* __restrict a = from[0];
+  // Unused pointers repeat the first: they are never read.
   const double* __restrict b = from[n > 1 ? 1 : 0];
   const double* __restrict c = from[n > 2 ? 2 : 0];
   const double* __restrict d = from[n > 3 ? 3 : 0];
   const double fa = f[0], fb = f[1], fc = f[2], fd = f[3];
   for (std::size_t i = 0; i < end; ++i) {
+    // One after the other and not as a sum of products: the bits are those of column by column.
     double x = to[i] - fa * a[i];
     if constexpr (n > 1) x -= fb * b[i];
     if constexpr (n > 2) x -= fc * c[i];
@@ -43,6 +45,7 @@ template <int n>
 [[gnu::always_inline]] inline void subtract_columns_as_compiled(double* to, const double* columns,
                                                                 std::size_t height, std::size_t n,
                                                                 std::size_t row) {
+  // Four columns at a time: `to` is then read and written once for four.
   for (std::size_t q = 0; q < n; q += 4) {
     const std::size_t count = std::min<std::size_t>(4, n - q);
     const double* from[4] = {};
@@ -66,6 +69,7 @@ template <int n>
 #endif
 void subtract_columns(double* to, const double* columns, std::size_t height, std::size_t n, std::size_t row) {
 #if defined(__x86_64__)
+  // Without fused multiply-adds, so that processors with and without it agree.
   static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
   if (has_avx2) return subtract_columns_by_avx2(to, columns, height, n, row);
 #endif
@@ -77,6 +81,7 @@ bool eliminate(double* columns, std::size_t height, std::size_t n) {
   for (std::size_t j = 0; j < n; ++j) {
     double* const column = columns + j * height;
     subtract_columns(column + j, columns, height, j, j);
+    // A pivot of zero or less: a mechanism, or stiffnesses too far apart.
     if (!(column[j] > 0.0) || !std::isfinite(column[j])) return false;
     const double pivot = std::sqrt(column[j]), inverse = 1.0 / pivot;
     column[j] = pivot;
@@ -180,6 +185,7 @@ void SparseCholesky::subtract_from_later(std::size_t node) {
     const std::int32_t* const places = places_.data() + target.first_place;
     for (std::size_t row = target.begin; row < target.end; ++row) {
       const std::size_t n = height - row;
+      // First into a dense column, then spread over the rows: the inner loop stays without indirection.
       std::fill_n(buffer_.begin(), n, 0.0);
       subtract_columns(buffer_.data(), factor_.data() + s.at, height, s.n, row);
       double* const column = factor_.data() + later.at + index(s.rows[row] - later.first) * later.rows.size();

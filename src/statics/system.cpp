@@ -147,6 +147,7 @@ bool StiffnessSystem::fits(const Network& net, const std::vector<Freedom>& presc
 
 ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<laws::Tangent<double>>& k) {
   if (ElasticOutcome outcome = check_stiffness(net, k); !outcome.ok()) return outcome;
+  // Before the factorisation: a grain that nothing holds would make the matrix singular.
   loose_ = loose_bodies(net, k, prescribed_);
   std::vector<double>& K = coefficients_;
   std::fill(K.begin(), K.end(), 0.0);
@@ -155,6 +156,7 @@ ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<law
     const LinkRows row = rows(net.links[i]);
     const std::int32_t* slot = &slot_[21 * i];
     for (std::size_t r = 0; r < 6; ++r) {
+      // K = B^T k B of the contact, row by row of B; symmetric, so half of it is enough.
       const std::array<double, 3> q = resistance(k[i], {row[0][r], row[1][r], row[2][r]});
       for (std::size_t c = 0; c <= r; ++c, ++slot)
         if (*slot >= 0)
@@ -162,10 +164,13 @@ ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<law
     }
     stiffest = std::max({stiffest, k[i].k_n, k[i].k_s});
   }
+  // Loose grains hang on springs far below all others: they take part in no load, and the matrix stays
+  // regular.
   ground_ = ground_stiffness * stiffest, length_ = net.length;
   for (std::size_t f = 0; f < equation_.size(); ++f)
     if (equation_[f] >= 0 && loose_[f / 3])
       K[static_cast<std::size_t>(diagonal_[static_cast<std::size_t>(equation_[f])])] +=
+          // A rotation is held as firmly as a displacement at the length of a grain.
           f % 3 == 2 ? ground_ * length_ * length_ : ground_;
   if (factor_.factorise(K)) return {};
   return {ElasticStatus::mechanism,
@@ -192,6 +197,7 @@ Movements StiffnessSystem::solve(const Network& net, const std::vector<laws::Tan
     PHY_CHECK(equation_[number(m.where)] < 0, "only prescribed movements are given");
     given[number(m.where)] = m.value;
   }
+  // What prescribed movements alone would press is the load of the others, with the opposite sign.
   std::vector<double> f = inner_forces(net, k, given, boundary.gradient);
   for (double& x : f) x = -x;
   for (const Given& load : boundary.loads) f[number(load.where)] += load.value;
@@ -203,6 +209,7 @@ Movements StiffnessSystem::solve(const Network& net, const std::vector<laws::Tan
 double StiffnessSystem::ground_share(const Movements& u, double force) const {
   double sum = 0.0;
   for (std::size_t f = 0; f < u.size(); ++f)
+    // What the weak springs carry of the load should be nothing: else a loose part is being pushed.
     if (equation_[f] >= 0 && loose_[f / 3]) sum += ground_ * std::fabs(u[f]) * (f % 3 == 2 ? length_ : 1.0);
   return sum / force;
 }
@@ -224,6 +231,7 @@ void move_with(Boundary& boundary, const Network& net, std::uint32_t body, const
   const Vec2 u = g(net.x[body]);
   boundary.movements.push_back({{body, 0}, u.x});
   boundary.movements.push_back({{body, 1}, u.y});
+  // A grain turns with the medium: the antisymmetric part of the gradient.
   boundary.movements.push_back({{body, 2}, 0.5 * (g.yx - g.xy)});
 }
 
@@ -231,6 +239,8 @@ std::array<double, 3> stress_share(const Link& l, const laws::Tangent<double>& k
                                    const std::array<double, 3>& strains) {
   const std::array<double, 3> q = forces(k, strains);
   const Vec2 on_b = q[0] * l.n + q[1] * tangent(l.n), branch = (l.arm_a + l.arm_b) * l.branch;
+  // Love-Weber: force times branch over the area; the mean of both products, since couples would make it
+  // unsymmetric.
   return {-on_b.x * branch.x, -on_b.y * branch.y, -0.5 * (on_b.x * branch.y + on_b.y * branch.x)};
 }
 
@@ -245,9 +255,11 @@ LoadCase solve_once(const Network& net, const Boundary& boundary, std::vector<ch
   if (!result.outcome.ok()) return result;
   result.u = system.solve(net, k, boundary);
   double force = 0.0;
+  // The largest force there is, as the measure of what the weak springs may carry.
   for (const double f : inner_forces(net, k, result.u, boundary.gradient))
     force = std::max(force, std::fabs(f));
   for (const Given& load : boundary.loads) force = std::max(force, std::fabs(load.value));
+  // Negated: a solution that is not finite does not pass either.
   if (force > 0.0 && !(system.ground_share(result.u, force) < 1e-6)) {
     result.outcome = {ElasticStatus::mechanism,
                       "the load meets a part that moves without resistance",
@@ -260,6 +272,7 @@ LoadCase solve_once(const Network& net, const Boundary& boundary, std::vector<ch
 }
 
 CellStiffness cell_stiffness(const Network& net, double area) {
+  // Periodic, so that only the rigid translation has to be taken out; rotation would change the cell.
   const std::vector<Freedom> pinned{{0, 0}, {0, 1}};
   StiffnessSystem system(net, pinned);
   const std::vector<laws::Tangent<double>> k = stiffnesses(net, std::vector<char>(net.links.size(), 1));

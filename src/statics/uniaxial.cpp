@@ -35,6 +35,7 @@ std::string listed(const std::vector<std::uint32_t>& grains) {
 std::uint32_t anchor(const Network& net) {
   const laws::Tangent<double> any{1.0, 1.0, 1.0};
   Network grains = net;
+  // Platens join everything and would make one part of loose ones.
   std::erase_if(grains.links, [&](const Link& l) { return l.a >= net.n_grains; });
   const auto part = connected_parts(grains, std::vector<laws::Tangent<double>>(grains.links.size(), any));
   std::vector<std::uint32_t> size(net.x.size(), 0), contacts(net.x.size(), 0);
@@ -43,6 +44,7 @@ std::uint32_t anchor(const Network& net) {
   std::uint32_t best = 0;
   for (std::uint32_t i = 1; i < net.n_grains; ++i) {
     const auto a = size[part[i]], b = size[part[best]];
+    // The lowest number wins a tie: the same grain on every machine.
     if (a > b || (a == b && contacts[i] > contacts[best])) best = i;
   }
   return best;
@@ -53,6 +55,7 @@ std::uint32_t anchor(const Network& net) {
 ElasticOutcome check_load_path(const Network& net, const std::vector<laws::Tangent<double>>& k) {
   const auto part = connected_parts(net, k);
   const std::size_t bottom = net.n_grains, top = bottom + 1;
+  // Through the contacts that are closed now: the set changes from solution to solution.
   if (part[bottom] == part[top]) return {};
   std::vector<std::uint32_t> low, high;
   for (std::uint32_t i = 0; i < net.n_grains; ++i) {
@@ -77,6 +80,7 @@ void add_together(const contact::ElasticParameter& p, const Sensitivity& s,
       sum.dE += s.dE, sum.dnu += s.dnu;
       return;
     }
+  // The first of its name brings the place in the list.
   together.push_back(s);
   together.back().parameter = p.together;
 }
@@ -88,6 +92,7 @@ void UniaxialStatics::prepare(const Specimen& specimen, const ElasticOptions& op
   network_ = make_network(specimen);
   add_platens(network_, specimen, options.platens);
   const auto bottom = static_cast<std::uint32_t>(network_.n_grains), top = bottom + 1;
+  // The answer is linear in the strain as long as the same contacts are closed, so any strain will do.
   const double delta = 0.5 * unit_strain * specimen.packing->height;
   boundary_ = {};
   for (const std::uint32_t platen : {bottom, top})
@@ -96,22 +101,26 @@ void UniaxialStatics::prepare(const Specimen& specimen, const ElasticOptions& op
                                      component != 1  ? 0.0
                                      : platen == top ? -delta
                                                      : delta});
+  // Smooth platens leave one rigid motion, sideways.
   if (options.platens == Platens::frictionless && network_.n_grains > 0)
     boundary_.movements.push_back({{anchor(network_), 0}, 0.0});
   prescribed_.clear();
   for (const Given& m : boundary_.movements) prescribed_.push_back(m.where);
+  // The next angle of one packing mostly has the same pairs: the symbolic part is kept.
   if (!system_ || !system_->fits(network_, prescribed_)) system_.emplace(network_, prescribed_);
 }
 
 // One solution with the present set of closed contacts. False: the outcome says why there is none.
 bool UniaxialStatics::step(ElasticResult& result, Reading& reading) {
   ++result.n_iterations;
+  // Linear with the contacts that are closed; which are is found by `update`.
   k_ = stiffnesses(network_, active_);
   result.outcome = system_->factor(network_, k_);
   if (result.outcome.ok()) result.outcome = check_load_path(network_, k_);
   if (!result.outcome.ok()) return false;
   u_ = system_->solve(network_, k_, boundary_);
   read(reading);
+  // A load that meets a mechanism moves it until the weak springs hold it.
   const bool carried = reading.force > 0.0 && system_->ground_share(u_, reading.force) < worst_ground_share;
   if (carried && reading.axial > 0.0) return true;
   if (carried) {
@@ -140,11 +149,13 @@ void UniaxialStatics::read(Reading& reading) {
   gauge_axial_.assign(u_.size(), 0.0), gauge_lateral_.assign(u_.size(), 0.0);
   reading.axial = reading.lateral = 0.0;
   for (std::size_t j = 0; j < number.size(); ++j) {
+    // Kept as loads: the adjoint solutions for these give all sensitivities at once.
     gauge_lateral_[3 * number[j]] = -w.x[j], gauge_axial_[3 * number[j] + 1] = -w.y[j];
     reading.lateral -= w.x[j] * u_[3 * number[j]], reading.axial -= w.y[j] * u_[3 * number[j] + 1];
   }
   const std::vector<double> f = inner_forces(network_, k_, u_);
   const std::size_t bottom = 3 * network_.n_grains + 1;
+  // Both platens carry the same but for rounding and the weak springs: the mean.
   reading.force = 0.5 * (f[bottom] - f[bottom + 3]);
   reading.E = reading.force / (specimen_->packing->width * reading.axial);
   reading.nu = -reading.lateral / reading.axial;
@@ -160,8 +171,10 @@ UniaxialStatics::Update UniaxialStatics::update(std::vector<std::uint8_t>& chang
     if (!l.unilateral) continue;
     const double closure = strains(l, u_)[0];
     const bool closed = closure > 0.0;
+    // A contact without load has a closure of rounding alone, and would flicker.
     if (closed == (active_[i] != 0) || std::fabs(closure) < undecided * network_.length) continue;
     ++update.wrong;
+    // Some contacts open when closed and close when open: they are counted, and left.
     if (changes[i] == last_change) continue;
     ++changes[i], ++update.changed;
     active_[i] = closed;
@@ -178,13 +191,16 @@ ElasticResult UniaxialStatics::solve(const Specimen& specimen, const ElasticOpti
   std::vector<std::uint8_t> changes(network_.links.size(), 0);
   const double allowed = options.max_alternating * static_cast<double>(specimen.contacts.size());
   Reading reading, before;
+  // Active set: solve, open what pulls, close what overlaps, again.
   while (step(result, reading) && !options.bilateral) {
     const bool steady = std::fabs(reading.E - before.E) <= options.tolerance * std::fabs(reading.E) &&
                         std::fabs(reading.nu - before.nu) <= options.tolerance;
+    // `update` already prepares the next set; the answer belongs to this one.
     const std::vector<char> solved = active_;
     const auto [wrong, changed] = update(changes);
     result.n_alternating = static_cast<std::int64_t>(wrong);
     const bool few = static_cast<double>(result.n_alternating) <= allowed;
+    // Done when nothing changes, or when what still changes matters to no digit that is asked for.
     if (changed == 0 || (steady && few) || result.n_iterations >= options.max_iterations) {
       active_ = solved;
       const bool settled = changed == 0 || steady;
@@ -221,6 +237,7 @@ void UniaxialStatics::finish(ElasticResult& result, const Reading& reading, cons
   const Specimen& s = *specimen_;
   result.name = s.name;
   const ElasticStatus status = result.outcome.status;
+  // A set that has not settled still has a useful answer; anything else has none.
   if (status != ElasticStatus::solved && status != ElasticStatus::not_converged) {
     result.E_gauge = result.nu_gauge = result.E_platen = nan;
     u_.clear();
@@ -231,6 +248,7 @@ void UniaxialStatics::finish(ElasticResult& result, const Reading& reading, cons
   result.E_platen = reading.force / (s.packing->width * unit_strain);
   for (std::size_t i = 0; i < network_.links.size(); ++i) {
     const Link& l = network_.links[i];
+    // Platens are no contacts of the specimen.
     if (l.a >= network_.n_grains) continue;
     result.n_contacts += l.k.unilateral.k_n > 0.0 || l.k.bilateral.k_n > 0.0 ? 1 : 0;
     result.n_open += l.k.unilateral.k_n > 0.0 && !active_[i] ? 1 : 0;
@@ -248,6 +266,7 @@ void UniaxialStatics::finish(ElasticResult& result, const Reading& reading, cons
 }
 
 void UniaxialStatics::add_sensitivities(ElasticResult& result, const Reading& reading) const {
+  // Adjoint method: two further solutions with the same factor, whatever the number of parameters.
   const Movements axial = system_->solve(gauge_axial_), lateral = system_->solve(gauge_lateral_);
   const double width = specimen_->packing->width, approach = unit_strain * specimen_->packing->height;
   std::vector<std::array<double, 3>> e, e_axial, e_lateral;
@@ -261,9 +280,11 @@ void UniaxialStatics::add_sensitivities(ElasticResult& result, const Reading& re
     for (std::size_t i = 0; i < network_.links.size(); ++i) {
       const std::array<double, 3> q = resistance(rates[i], e[i]);
       for (std::size_t r = 0; r < 3; ++r)
+        // Of the energy, whose derivative by a parameter needs no change of u: u is in equilibrium.
         dF += q[r] * e[i][r], d_axial -= q[r] * e_axial[i][r], d_lateral -= q[r] * e_lateral[i][r];
     }
     Sensitivity s{p.name, p.unit, value, 0.0, 0.0};
+    // Quotient rule: E = F/(width axial), nu = -lateral/axial.
     s.dE = (dF / approach - reading.E * width * d_axial) / (width * reading.axial);
     s.dnu = -(d_lateral + reading.nu * d_axial) / reading.axial;
     return s;

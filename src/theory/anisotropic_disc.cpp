@@ -24,6 +24,7 @@ std::array<Complex, 2> roots_of(const PlaneCompliance& S) {
   std::size_t n = 0;
   for (const Complex& root : roots_of_monic(
            {S.S_yy * scale, -2.0 * S.S_ys * scale, (2.0 * S.S_xy + S.S_ss) * scale, -2.0 * S.S_xs * scale}))
+    // Roots come in conjugate pairs; one of each spans the solution.
     if (root.imag() > 0.0 && n < 2) mu[n++] = root;
   PHY_CHECK(n == 2, "an elastic body has two roots above the real axis");
   if (std::abs(mu[0] - mu[1]) < apart) mu[0] *= 1.0 - apart, mu[1] *= 1.0 + apart;
@@ -35,6 +36,7 @@ struct Traction {
   Complex x, y;
 };
 Traction traction(double p, double alpha, int n) {
+  // The limit of sin(k alpha)/k as k goes to 0.
   const double low = n == 1 ? alpha : std::sin((n - 1) * alpha) / (n - 1);
   const double high = std::sin((n + 1) * alpha) / (n + 1);
   const Complex turn = n % 4 == 1 ? -imaginary : imaginary;  // (-i)^n
@@ -47,6 +49,7 @@ Eigen::Vector2cd harmonic(const std::array<Complex, 2>& mu, const std::array<Com
   Eigen::Matrix2cd A, B;
   A << 1.0, 1.0, mu[0], mu[1];
   B << std::conj(t_n[0]), std::conj(t_n[1]), std::conj(mu[0] * t_n[0]), std::conj(mu[1] * t_n[1]);
+  // The second equation conjugated gives conj(a) in terms of a, which leaves two equations for a.
   const Eigen::Matrix2cd back = B * A.conjugate().inverse();
   const Eigen::Vector2cd right(f, g);
   return (A - back * B.conjugate()).inverse() * (right - back * right.conjugate());
@@ -59,7 +62,9 @@ AnisotropicDisc::AnisotropicDisc(const PressedDisc& disc)
   PHY_CHECK(disc.diameter > 0.0 && disc.alpha > 0.0 && disc.alpha < 90.0, "a disc and loaded arcs");
   const double alpha = disc.alpha * pi / 180.0, p = disc.P / (disc.diameter * std::sin(alpha));
   for (std::size_t k = 0; k < 2; ++k)
+    // The circle in z_k = x + mu_k y is an ellipse; its exterior map turns it into a circle again.
     c_[k] = 0.5 * (1.0 - imaginary * mu_[k]), t_[k] = (1.0 + imaginary * mu_[k]) / (1.0 - imaginary * mu_[k]);
+  // The first harmonic is a uniform stress, and needs no root.
   const Traction first = traction(p, alpha, 1);
   uniform_ = {2.0 * first.x.real(), -2.0 * first.y.imag(), 2.0 * first.y.real()};
   for (int n = 3; n <= last_harmonic; n += 2) {
@@ -77,6 +82,7 @@ DiscStress AnisotropicDisc::at(double x, double y) const {
     const Complex w = (x + mu_[k] * y) / (radius_ * c_[k]);
     Complex P = w, P_before = 2.0, rate = 1.0, rate_before = 0.0, sum = 0.0;  // n = 1 and n = 0
     for (int n = 2; n <= last_harmonic; ++n) {
+      // Chebyshev-like recurrence for the polynomials and their derivatives.
       const Complex next = w * P - t_[k] * P_before, next_rate = P + w * rate - t_[k] * rate_before;
       P_before = P, P = next, rate_before = rate, rate = next_rate;
       if (n % 2 == 1) sum += a_[k][static_cast<std::size_t>((n - 3) / 2)] * rate;
@@ -93,6 +99,7 @@ DiscStress AnisotropicDisc::mean(double radius) const {
   constexpr int rings = 12, places = 24;  // of equal areas
   DiscStress sum;
   for (int ring = 0; ring < rings; ++ring) {
+    // Rings of equal areas, each read in its middle.
     const double r = radius * std::sqrt((ring + 0.5) / rings);
     for (int place = 0; place < places; ++place) {
       const double w = 2.0 * pi * (place + 0.5) / places;

@@ -105,12 +105,15 @@ HoekBrownFit fit_hoek_brown(const std::vector<EnvelopeReading>& readings) {
                                   : "the strength does not grow faster than sigma_3";
     return fit;
   }
+  // (sigma_1 - sigma_3)^2 is linear in sigma_3: that start weights high stresses too much, Gauss-Newton mends
+  // it.
   const Curve curve = refine(readings, {line.intercept, line.slope});
   const Normal n(readings, curve);
   fit.ok = true;
   const double ucs = std::sqrt(curve.a), m = curve.b / ucs;
   fit.ucs.value = ucs, fit.m_i.value = m;
   fit.R2 = 1.0 - n.squares / total_squares(readings);
+  // Two readings determine two unknowns, and no error.
   if (readings.size() < 3) return fit;
   const double s2 = n.squares / static_cast<double>(readings.size() - 2);
   const double var_a = s2 * n.bb / n.det(), var_b = s2 * n.aa / n.det(), cov = -s2 * n.ab / n.det();

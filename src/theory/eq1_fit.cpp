@@ -54,6 +54,7 @@ int n_distinct_angles(const std::vector<ModulusReading>& readings) {
   for (const ModulusReading& r : readings) {
     const double theta = folded_theta(r.theta);
     bool is_new = true;
+    // Laboratories cut at 30 degrees three times: repeats say nothing about the shape of the curve.
     for (double s : seen) is_new = is_new && std::abs(s - theta) > same_angle;
     if (is_new) seen.push_back(theta);
   }
@@ -63,6 +64,7 @@ int n_distinct_angles(const std::vector<ModulusReading>& readings) {
 bool has_oblique_angle(const std::vector<ModulusReading>& readings) {
   for (const ModulusReading& r : readings) {
     const double theta = folded_theta(r.theta);
+    // sin^2 cos^2, all that K_s acts through, is below 0.11 outside.
     if (theta > 20.0 && theta < 70.0) return true;
   }
   return false;
@@ -89,12 +91,15 @@ Setup set_up(const std::vector<ModulusReading>& readings, const Eq1Options& opti
   p.compliance.resize(n);
   p.free_E = options.reference == Eq1Reference::free;
   for (const ModulusReading& r : readings) p.scale += r.E;
+  // Less the 1 that `scale` began with.
   p.scale = (p.scale - 1.0) / static_cast<double>(n);
+  // A compliance that is known is taken off the readings; one that is sought is a column.
   p.e = p.free_E ? 0.0 : p.scale / E_reference;
   for (Eigen::Index i = 0; i < n; ++i) {
     const ModulusReading& r = readings[static_cast<std::size_t>(i)];
     const SinCos angle = sin_cos_degrees(folded_theta(r.theta));
     const double c2 = angle.cos * angle.cos;
+    // Eq. 1 is linear in compliances: 1/E(theta) = 1/E + a cos^4 + b sin^2 cos^2.
     p.terms.row(i) << 1.0, c2 * c2, angle.sin * angle.sin * c2;
     p.compliance[i] = p.scale / r.E;
     // The readings that *are* the reference cannot also be evidence about the joints.
@@ -118,6 +123,7 @@ Solution solve_linear(const Setup& p, const Eigen::VectorXd& weight) {
   Eigen::MatrixXd J = p.terms.rightCols(m);
   Eigen::VectorXd rhs = p.free_E ? p.compliance : Eigen::VectorXd(p.compliance.array() - p.e);
   for (Eigen::Index i = 0; i < J.rows(); ++i) {
+    // A weight of zero and not a shorter list, so that residuals keep the places of their readings.
     const double w = p.takes_part[static_cast<std::size_t>(i)] ? weight[i] : 0.0;
     J.row(i) *= w;
     rhs[i] *= w;
@@ -130,6 +136,7 @@ Solution solve_linear(const Setup& p, const Eigen::VectorXd& weight) {
   return s;
 }
 
+/// On its way the search may pass bodies without a modulus: a large finite misfit turns it back.
 double capped_inverse(double compliance) { return compliance > 0.0 ? 1.0 / compliance : no_modulus; }
 
 /// E_i - 1/c_i of the readings that take part.
@@ -148,6 +155,7 @@ struct ModulusMisfit {
   void df(const Eigen::VectorXd& x, Eigen::MatrixXd& J) const {
     const Eigen::VectorXd at = c(x);
     for (Eigen::Index i = 0; i < J.rows(); ++i)
+      // d(-1/c)/dc = 1/c^2.
       J.row(i) = weight(i) / (at[i] * at[i]) * p.terms.row(i).tail(x.size());
   }
 };
@@ -155,9 +163,11 @@ struct ModulusMisfit {
 // Least squares of the moduli themselves, from the solution for compliances weighted by E^2.
 Solution solve_modulus(const Setup& p) {
   const Eigen::Index m = n_parameters(p);
+  // Weighted so, compliances have the misfits of moduli to first order: a start next to the answer.
   Solution s = solve_linear(p, p.compliance.cwiseInverse().array().square());
   const ModulusMisfit misfit{p};
   LeastSquaresLimits exact;
+  // As far as rounding allows: standard errors come from the end of the search.
   exact.tolerance = 1e-15;
   const Eigen::VectorXd x = least_squares(misfits_of(misfit), s.x.tail(m), exact);
   s.x.tail(m) = x;
@@ -166,6 +176,7 @@ Solution solve_modulus(const Setup& p) {
   misfit(x, r), misfit.df(x, J);
   s.sum_of_squares = r.squaredNorm();
   s.covariance.bottomRightCorner(m, m) = inverse_of_squares(J);
+  // At a minimum the gradient is nothing beside its terms.
   s.converged = (misfit.c(x).array() > 0.0).all() && (J.transpose() * r).norm() <= 1e-6 * J.norm();
   return s;
 }
@@ -181,6 +192,7 @@ void fill_quality(Eq1Fit& fit, const std::vector<ModulusReading>& readings) {
     about_fit += residual * residual;
     about_mean += (r.E - mean) * (r.E - mean);
   }
+  // Of moduli, whatever was minimised: it is the curve E(theta) that people look at.
   fit.R2 = about_mean > 0.0 ? 1.0 - about_fit / about_mean : nan;
 }
 
@@ -188,8 +200,10 @@ void fill_errors(Eq1Fit& fit, const Solution& s, const Setup& p) {
   int n = 0;
   for (bool takes_part : p.takes_part) n += takes_part ? 1 : 0;
   fit.degrees_of_freedom = n - n_parameters(p);
+  // With as many readings as unknowns nothing is left to tell the scatter from.
   const double variance = fit.degrees_of_freedom > 0 ? s.sum_of_squares / fit.degrees_of_freedom : nan;
   const auto error_of_inverse = [&](Eigen::Index i) {
+    // Of 1/x to first order.
     return p.scale * std::sqrt(variance * s.covariance(i, i)) / (s.x[i] * s.x[i]);
   };
   fit.se_E = p.free_E ? error_of_inverse(0) : 0.0;
@@ -232,6 +246,7 @@ Eq1Fit conclude(Eq1Fit fit, const Solution& s, const Setup& p, const std::vector
         "at oblique angles the rock is stiffer than any jointed rock with this K_n and E, so no K_s "
         "follows; check the moduli between 20 and 70 degrees");
   fit.rock = {1.0 / fit.e, 1.0 / fit.a, 1.0 / fit.b, 0.0};
+  // Minimum and shoulder follow from the two stiffnesses alone.
   fit.shape = goodman_shape(fit.rock);
   fill_errors(fit, s, p);
   fill_quality(fit, readings);

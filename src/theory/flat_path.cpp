@@ -11,6 +11,7 @@ template <class F>
 double least(const F& f) {
   constexpr double golden = 0.6180339887498949;
   double from = 0.0, to = 1.0, x = 1.0 - golden, y = golden, fx = f(x), fy = f(y);
+  // The least value may lie at an end, which the section never reaches.
   double best = std::min({f(0.0), f(1.0), fx, fy});
   for (int i = 0; i < 50; ++i) {
     if (fx < fy) {
@@ -26,6 +27,7 @@ double least(const F& f) {
 }  // namespace
 
 ExactFlat::ExactFlat(const Interface& whole) {
+  // An independent solution by elements: nothing is shared with the law but its definition.
   const double n = whole.elements, h = whole.half_length / n;
   for (int e = 0; e < whole.elements; ++e)
     elements_.push_back({-whole.half_length + (2.0 * e + 1.0) * h,
@@ -46,10 +48,12 @@ ContactForces ExactFlat::Element::pressing(const ContactPoint& where) const {
   const double a = where.closure, turn = std::fabs(where.rotation), per_length = bond.k_n / (2.0 * h);
   const double least_closed = a - turn * h, most_closed = a + turn * h;
   if (most_closed <= 0.0) return {};
+  // All of it is closed: it answers as if bonded.
   if (least_closed >= 0.0) {
     const double F = bond.k_n * a;
     return {F, 0.0, -(F * x) - per_length * 2.0 / 3.0 * h * h * h * where.rotation};
   }
+  // A triangle of pressure over the closed part; it acts a third of its length from the closed end.
   const double length = most_closed / turn, F = per_length * 0.5 * most_closed * length;
   const double where_it_acts = x + std::copysign(h - length / 3.0, where.rotation);
   return {F, 0.0, -F * where_it_acts};
@@ -65,6 +69,7 @@ void ExactFlat::Element::rub(ContactPoint from, ContactPoint step) {
     const auto f = [&](double x_now) { return limit(x_now) + rate * x_now; };
     return straight ? std::min(f(0.0), f(1.0)) : least(f);
   };
+  // Play operator: a force driven one way between two limits that move, solved in one piece.
   const double drive = std::fabs(d), pushed = drive - extreme(drive), held = drive + extreme(-drive);
   S = sense * std::min(std::max(sense * S + drive, pushed), held);
 }
@@ -76,6 +81,7 @@ void ExactFlat::Element::leg(ContactPoint step) {
     if (bond.leg(step, done) == Cement::Breakage::none) return;
     S = bond.forces().F_s;
     bond.capacity = 0.0;
+    // The force of the bond is kept as far as friction can.
     const double limit = mu * pressing(bond.at).F_n;
     S = std::clamp(S, -limit, limit);
   }

@@ -11,6 +11,7 @@ double goodman_E(const JointedRock& rock, double theta) {
   const SinCos a = sin_cos_degrees(theta);
   const double c2 = a.cos * a.cos;
   const double s2 = a.sin * a.sin;
+  // The normal stress on the planes is cos^2 of the axial one, the shear stress sin cos.
   return 1.0 / (1.0 / rock.E + c2 * (c2 / rock.K_n_delta + s2 / rock.K_s_delta));
 }
 
@@ -29,6 +30,7 @@ CurveShape goodman_shape(const JointedRock& rock) {
   shape.E_min = shape.E_0;
   const double a = 1.0 / rock.K_n_delta;  // compliances, so that an infinite stiffness is an ordinary number
   const double b = 1.0 / rock.K_s_delta;
+  // Where shear is soft enough the curve has a minimum between 0 and 90 degrees.
   if (b > 2.0 * a) {
     const double c2 = b / (2.0 * (b - a));
     shape.type = CurveType::shoulder;

@@ -17,6 +17,7 @@ Arc arc_of(const BrazilianDisc& disc) {
   PHY_CHECK(disc.alpha > 0.0 && disc.alpha < 90.0, "a loaded arc of 0 < alpha < 90 degrees");
   const SinCos one = sin_cos_degrees(disc.alpha);
   const SinCos two = sin_cos_degrees(2.0 * disc.alpha);
+  // The pressure whose sum along the load is P.
   return {disc.P / (disc.diameter * disc.thickness * one.sin), one.sin / one.cos, two.sin, two.cos};
 }
 
@@ -31,6 +32,7 @@ DiameterStress hondros_loaded_diameter(const BrazilianDisc& disc, double rho) {
   const Arc arc = arc_of(disc);
   const double r2 = rho * rho;
   const double A = (1.0 - r2) * arc.sin2 / (1.0 - 2.0 * r2 * arc.cos2 + r2 * r2);
+  // atan2 and not atan: on the rim the denominator is zero.
   return from_terms(arc.p, A, std::atan2((1.0 + r2) * arc.tan, 1.0 - r2));
 }
 
@@ -43,6 +45,7 @@ DiameterStress hondros_cross_diameter(const BrazilianDisc& disc, double rho) {
 
 DiameterStress point_load_loaded_diameter(const BrazilianDisc& disc, double rho) {
   const double s = brazilian_strength(disc.P, disc.diameter, disc.thickness);
+  // Tension is the same along the whole diameter; compression grows to the loads without bound.
   return {-s, s * (4.0 / (1.0 - rho * rho) - 1.0)};
 }
 

@@ -11,6 +11,7 @@ namespace phy::theory {
 
 double coulomb_sigma_1(const Coulomb& rock, double sigma_3) {
   const double mu = tan_degrees(rock.friction);
+  // tan(45 + phi/2) written by mu, without a pole.
   return sigma_3 + 2.0 * (rock.cohesion + sigma_3 * mu) * (std::sqrt(1.0 + mu * mu) + mu);
 }
 
@@ -28,6 +29,7 @@ double jaeger_sigma_1(const Coulomb& plane, double matrix_sigma_1, double theta,
 }
 
 StrengthMinimum weak_plane_minimum(const Coulomb& plane, double sigma_3) {
+  // The plane that Coulomb would choose: on it the rock is as weak as if made of the plane.
   return {45.0 + 0.5 * plane.friction, coulomb_sigma_1(plane, sigma_3)};
 }
 
@@ -36,6 +38,7 @@ SlipRange slip_range(const Coulomb& plane, double matrix_sigma_1, double sigma_3
   const double difference = matrix_sigma_1 - sigma_3;
   if (difference <= 0.0) return {};
   const double level = f.sin + 2.0 * (plane.cohesion * f.cos + sigma_3 * f.sin) / difference;
+  // The plane is stronger than the matrix at every angle.
   if (level > 1.0) return {};
   const double rise = std::asin(level) * (180.0 / pi);
   return {true, 0.5 * (plane.friction + rise), 0.5 * (plane.friction + 180.0 - rise)};

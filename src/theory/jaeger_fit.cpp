@@ -117,6 +117,7 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, const Matrix&
   double best = std::numeric_limits<double>::infinity();
   Coulomb middle{0.25 * matrix_ucs, 0.5 * largest_friction};
   double half_c = 0.25 * matrix_ucs, half_phi = 0.5 * largest_friction;
+  // The minimum of two curves has kinks, on which derivatives mislead: hence a grid that narrows.
   for (int round = 0; round < rounds; ++round) {
     for (int i = 0; i <= grid; ++i) {
       for (int j = 0; j <= grid; ++j) {
@@ -146,6 +147,7 @@ JaegerFit fit_jaeger_and_matrix(const std::vector<StrengthReading>& readings) {
   const auto try_from = [&](double from, double to, double step) {
     for (int i = 0; from + i * step <= to; ++i) try_friction(readings, from + i * step, fit, best);
   };
+  // At one friction angle cohesion and matrix follow exactly: only one unknown is searched.
   try_from(0.0, largest_friction, coarse_step);
   const double from = std::max(0.0, fit.plane.friction - coarse_step),
                to = std::min(largest_friction, fit.plane.friction + coarse_step);

@@ -24,8 +24,10 @@ PlaneCompliance body_of(const VectorXd& x, LayeredBody kind, double modulus) {
   S.S_xx = std::exp(x[0]);
   if (kind == LayeredBody::any) {
     S.S_yy = std::exp(x[1]), S.S_ss = std::exp(x[2]);
+    // |S_xy| below the root of S_xx S_yy: any x gives a body with positive energy.
     S.S_xy = -std::tanh(x[3]) * std::sqrt(S.S_xx * S.S_yy);
   } else {
+    // Isotropic rock, softened by planes across and along them, never stiffened.
     S.S_xy = -std::tanh(x[3]) * S.S_xx;
     S.S_yy = S.S_xx + std::exp(x[1]), S.S_ss = 2.0 * (S.S_xx - S.S_xy) + std::exp(x[2]);
   }
@@ -38,6 +40,7 @@ VectorXd residuals_of(const PlaneCompliance& body, const std::vector<LayeredRead
   for (Eigen::Index i = 0; i < r.size(); ++i) {
     const LayeredReading& cell = readings[static_cast<std::size_t>(i)];
     const PlaneConstants seen = seen_at(body, cell.theta);
+    // Relative errors of E: a logarithm counts half and twice alike.
     r[i] = cell.is_modulus ? std::log(seen.E / cell.value) * cell.value / cell.error
                            : (seen.nu - cell.value) / cell.error;
   }
@@ -79,6 +82,7 @@ LayeredFit fit_layered(const std::vector<LayeredReading>& readings, LayeredBody 
   from_near.first_step = 1.0;
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();
+  // Nine starts: the misfit of E and nu together need not have one minimum.
   for (const double normal : {-2.0, 0.0, 2.0})
     for (const double shear : {-2.0, 0.0, 2.0}) {
       VectorXd x(4), r;
@@ -96,6 +100,7 @@ LayeredFit fit_layered(const std::vector<LayeredReading>& readings, LayeredBody 
   MatrixXd jacobian;
   misfit.df(best, jacobian);
   Eigen::ColPivHouseholderQR<MatrixXd> qr(jacobian);
+  // Columns that act alike count as one unknown: a table of E alone cannot tell all four.
   qr.setThreshold(same_direction);
   fit.degrees_of_freedom = static_cast<int>(readings.size()) - static_cast<int>(qr.rank());
   return fit;

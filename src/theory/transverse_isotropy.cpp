@@ -10,6 +10,7 @@ namespace phy::theory {
 
 bool is_admissible(const TransverseIsotropy& m) {
   return m.E > 0.0 && m.E_n > 0.0 && m.G_n > 0.0 && std::abs(m.nu) < 1.0 &&
+         // Positive strain energy of every strain; nu and nu' alone may well be beyond 0.5.
          1.0 - m.nu - 2.0 * m.nu_n * m.nu_n * m.E / m.E_n > 0.0;
 }
 
@@ -17,6 +18,7 @@ double ti_E(const TransverseIsotropy& m, double theta) {
   const SinCos a = sin_cos_degrees(theta);
   const double c2 = a.cos * a.cos;
   const double s2 = a.sin * a.sin;
+  // S_2222 of the body turned by theta, theta being that of the planes from +x, load along y.
   return 1.0 / (c2 * c2 / m.E_n + s2 * s2 / m.E + s2 * c2 * (1.0 / m.G_n - 2.0 * m.nu_n / m.E_n));
 }
 
@@ -25,15 +27,18 @@ double ti_nu(const TransverseIsotropy& m, double theta) {
   const double c2 = a.cos * a.cos;
   const double s2 = a.sin * a.sin;
   return ti_E(m, theta) *
+         // -S_1122 of the turned body over S_2222.
          (m.nu_n / m.E_n * (c2 * c2 + s2 * s2) - s2 * c2 * (1.0 / m.E + 1.0 / m.E_n - 1.0 / m.G_n));
 }
 
 double saint_venant_G(double E, double E_n, double nu_n) {
+  // Saint-Venant's guess of what no uniaxial test along or across the planes measures.
   return 1.0 / (1.0 / E + 1.0 / E_n + 2.0 * nu_n / E_n);
 }
 
 double saint_venant_E(double E, double E_n, double theta) {
   const SinCos a = sin_cos_degrees(theta);
+  // With his G the mixed term drops out, and the curve is straight in cos^2.
   return 1.0 / (a.cos * a.cos / E_n + a.sin * a.sin / E);
 }
 
@@ -43,6 +48,7 @@ TransverseIsotropy ti_from_three_tests(double E_0, double E_45, double E_90, dou
   m.E_n = E_0;
   m.nu = nu;
   m.nu_n = nu_0;
+  // 1/E(45) = (1/E' + 1/E + 1/G' - 2 nu'/E')/4, solved for G'.
   m.G_n = 1.0 / (4.0 / E_45 - 1.0 / E_90 - 1.0 / E_0 + 2.0 * nu_0 / E_0);
   return m;
 }
@@ -52,6 +58,7 @@ TransverseIsotropy ti_from_goodman(const JointedRock& rock) {
   m.E = rock.E;
   m.E_n = 1.0 / (1.0 / rock.E + 1.0 / rock.K_n_delta);
   m.nu = rock.nu;
+  // Joints add nothing to nu'/E': they close without moving sideways.
   m.nu_n = rock.nu * m.E_n / rock.E;
   m.G_n = 1.0 / (2.0 * (1.0 + rock.nu) / rock.E + 1.0 / rock.K_s_delta);
   return m;
@@ -61,6 +68,7 @@ JointedRock goodman_from_ti(const TransverseIsotropy& m) {
   JointedRock rock;
   rock.E = m.E;
   rock.nu = m.nu_n * m.E / m.E_n;
+  // What the planes add to the compliance of the rock, across and along them.
   rock.K_n_delta = 1.0 / (1.0 / m.E_n - 1.0 / m.E);
   rock.K_s_delta = 1.0 / (1.0 / m.G_n - 2.0 * m.nu_n / m.E_n - 2.0 / m.E);
   return rock;
@@ -71,6 +79,7 @@ PlaneCompliance plane_compliance(const TransverseIsotropy& m, PlaneState state) 
   S.S_xx = 1.0 / m.E;
   S.S_yy = 1.0 / m.E_n;
   S.S_xy = -m.nu_n / m.E_n;
+  // Of the engineering shear strain.
   S.S_ss = 1.0 / m.G_n;
   if (state == PlaneState::strain) {  // sigma_33 = nu sigma_11 + nu' (E/E') sigma_22 keeps eps_33 at zero
     const double p = m.nu;
@@ -87,6 +96,7 @@ PlaneCompliance rotated(const PlaneCompliance& S, double theta) {
   const SinCos a = sin_cos_degrees(theta);
   const double c = a.cos;
   const double s = a.sin;
+  // Takes stresses to the axes of the body; its transpose takes engineering strains back.
   const Matrix Q = {
       {{c * c, s * s, 2.0 * s * c}, {s * s, c * c, -2.0 * s * c}, {-s * c, s * c, c * c - s * s}}};
   const Matrix body = {{{S.S_xx, S.S_xy, S.S_xs}, {S.S_xy, S.S_yy, S.S_ys}, {S.S_xs, S.S_ys, S.S_ss}}};
@@ -107,15 +117,18 @@ PlaneConstants seen_at(const PlaneCompliance& S, double theta) {
 }
 
 PlaneConstants seen_in_plane_strain(const PlaneConstants& body) {
+  // Strains along the axis of the drift, or of a slab, cannot arise.
   return {body.E / (1.0 - body.nu * body.nu), body.nu / (1.0 - body.nu)};
 }
 
 PlaneConstants body_from_plane_strain(const PlaneConstants& seen) {
+  // nu first: E needs it.
   const double nu = seen.nu / (1.0 + seen.nu);
   return {seen.E * (1.0 - nu * nu), nu};
 }
 
 TransverseIsotropy ti_from_stiffness(const TiStiffness& C) {
+  // C_12 = C_11 - 2 C_66: transverse isotropy has five constants.
   const double b = C.C_11 * C.C_33 - C.C_13 * C.C_13;
   TransverseIsotropy m;
   m.E = 4.0 * C.C_66 * (b - C.C_66 * C.C_33) / b;
@@ -141,6 +154,7 @@ TiStiffness stiffness_from_ti(const TransverseIsotropy& m) {
 
 TiStiffness stiffness_from_thomsen(double C_33, double C_44, double epsilon, double gamma, double delta) {
   const double d = C_33 - C_44;
+  // Thomsen (1986), delta solved for C_13; the positive root, as in every rock.
   const double square = 2.0 * delta * C_33 * d + d * d;
   PHY_CHECK(C_44 > 0.0 && d > 0.0 && square >= 0.0, "Thomsen parameters of an elastic body");
   return {C_33 * (1.0 + 2.0 * epsilon), C_33, C_44, C_44 * (1.0 + 2.0 * gamma), std::sqrt(square) - C_44};

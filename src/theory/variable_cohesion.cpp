@@ -11,6 +11,7 @@ namespace phy::theory {
 double OrientationLaw::at(double theta) const {
   PHY_CHECK(n >= 1, "an exponent of at least 1");
   const double folded = folded_theta(theta);
+  // Two branches that meet at the weakest angle (McLamore & Gray 1967).
   const CosineBranch& branch = folded <= theta_min ? below : above;
   const double cosine = sin_cos_degrees(2.0 * (theta_min - folded)).cos;
   double power = 1.0;

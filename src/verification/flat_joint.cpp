@@ -38,11 +38,13 @@ struct Interface {
     double low = -2e-4, high = 2e-4;
     for (int i = 0; i < 100; ++i) {
       Interface trial = *this;
+      // The closure is found with bonds that cannot break, then tried with those that can.
       trial.p.extra_strength = 1e30;
       const double closure = 0.5 * (low + high);
       (trial.to(closure, 0.0, rotation).F_n < P ? low : high) = closure;
     }
     const laws::Reaction<double> r = to(0.5 * (low + high), 0.0, rotation);
+    // A break moves the axis: balanced anew until nothing more breaks.
     return n_cracks > before ? hold(P, rotation) : r;
   }
 };
@@ -132,6 +134,7 @@ void breaks_of(std::vector<Check>& checks, std::initializer_list<double> expecte
     checks.push_back({of + "rotation at break " + std::to_string(i.n_cracks) + " [rad]",
                       at * sigma_c / (k_f * R_f), turn, 3e-4});
   }
+  // The last element has its centre in the axis, where bending pulls at nothing.
   i.hold(0.0, 10.0 * turn);
   checks.push_back(
       {of + "elements that hold at ten times that", 1.0, static_cast<double>(N - i.n_cracks), 0.0});

@@ -61,6 +61,7 @@ std::vector<GoldenTest> make_tests() {
         PHY_CHECK(contact::combination_of(r.matrix, r.bedding) == i,
                   "golden scenes are in the order of models");
         r.test.kind = *kind;
+        // Tests that never stop by themselves would take most of the time.
         if (kind->runs_to_end) r.test.max_strain = 0.004;
         r.engine.precision = precision;
         const bool single = precision == Precision::single_precision;
@@ -73,6 +74,7 @@ std::vector<GoldenTest> make_tests() {
 std::string recorded(const std::string& name) {
   const std::string_view text = embedded("tests/recorded.txt");
   const std::string key = name + " ";
+  // A line begins with its name: one name may be the end of another.
   std::size_t at = text.starts_with(key) ? 0 : text.find("\n" + key);
   if (at == text.npos) return "";
   at += text.starts_with(key) ? key.size() : key.size() + 1;
@@ -98,6 +100,7 @@ std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine, cons
   std::vector<GoldenHash> hashes(tests.size() + 1);
   hashes.front() = held("packing", packing->hash);
   study::MachineOptions alone = machine;
+  // Tests run side by side already, each on a thread of its own.
   alone.threads = 1;
   study::ScheduleHooks hooks;
   hooks.stop = stop;
@@ -108,6 +111,7 @@ std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine, cons
       hashes[i + 1] = held(tests[i].name, result.hash);
     };
   });
+  // Hashes of tests that were cut short would look like another program.
   if (stop != nullptr && stop->load()) hashes.clear();
   return hashes;
 }

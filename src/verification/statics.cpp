@@ -48,6 +48,7 @@ struct Cell {
     for (std::uint32_t a = 0; a < discs.size(); ++a) {
       for (std::uint32_t b = a + 1; b < discs.size(); ++b) {
         const Vec2 d{nearest(discs[b].x - discs[a].x, period.x), nearest(discs[b].y - discs[a].y, period.y)};
+        // The nearest image: cells are at least three discs wide, so that it is the only one.
         if (norm(d) > 2.0 * R_cell * (1.0 + 1e-6)) continue;
         Contact c;
         c.a = a, c.b = b, c.sigma_c = m.sigma_c, c.tau_c = m.tau_c;
@@ -70,6 +71,7 @@ Cell hexagonal_cell(int n_x, int n_y, const MatrixRecipe& m = parallel_bonds()) 
 }
 
 std::vector<Check> moduli_of(const Cell& cell) {
+  // Per unit of thickness, three contact directions at 60 degrees: sums of N N and T T over them.
   const double n = cell.K_n(), s = cell.K_s(), q = root3 / 4.0;
   const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
   return {{"C11 [Pa]", q * (3.0 * n + s), C(0, 0), exact},
@@ -98,6 +100,8 @@ std::vector<Check> directional_lattice() {
       const double c = std::cos(phi), s = std::sin(phi), f = 1.0 - W * std::cos(2.0 * (phi - turn));
       const Eigen::Vector3d N(c * c, s * s, c * s), T(-c * s, c * s, 0.5 * (c * c - s * s));
       C += f * (cell.K_n() * N * N.transpose() + cell.K_s() * T * T.transpose());
+      // Grains turn with the mean spin that minimises the energy of shear; equal stiffness in all directions
+      // gives none.
       spin += f * T, sum += f;
     }
     C = 2.0 / root3 * (C - cell.K_s() * spin * spin.transpose() / sum);
@@ -128,6 +132,7 @@ std::vector<Check> square_lattice() {
   const Cell cell(discs, {8.0 * R_cell, 8.0 * R_cell}, parallel_bonds());
   const double n = cell.K_n(), s = cell.K_s();
   const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
+  // S for a stress of 1 along the diagonal: (1/2, 1/2, 1/2) in Voigt's order.
   const Eigen::Vector3d along_diagonal = S * Eigen::Vector3d(0.5, 0.5, 0.5);
   return {{"E along the rows [Pa]", n, 1.0 / S(1, 1), exact},
           {"nu along the rows [-]", 0.0, -S(0, 1) / S(1, 1), exact},
@@ -142,6 +147,7 @@ void add_joint_rows(Cell& cell, int n_x, int m) {
   cell.specimen.bedding.push_back(set);
   for (Contact& c : cell.specimen.contacts) {
     const int row_a = static_cast<int>(c.a) / n_x, row_b = static_cast<int>(c.b) / n_x;
+    // The pair across the border of the cell.
     const bool wraps = row_b - row_a > 1;
     if (row_a == row_b || ((wraps ? row_b : row_a) + 1) % m != 0) continue;
     c.kind = ContactKind::joint;
@@ -160,6 +166,7 @@ std::vector<Check> joint_rows() {
     M << q * (n - s) * R_cell, (3.0 * n + s) / 4.0, 0.0, 0.0, 0.0, set.k_n * A,
         2.0 * rows * R_cell * n + (rows - 1.0) * (n + 3.0 * s) / 4.0 * R_cell + set.k_s * A * R_cell,
         (rows - 1.0) * q * (n - s), 0.0;
+    // Equilibrium sideways, along the load in a bonded row, and along it in a joint row.
     const Eigen::Vector3d x = M.fullPivLu().solve(Eigen::Vector3d(R_cell, R_cell, 0.0));
     const Eigen::Matrix3d S = cell.stiffness().inverse();
     checks.push_back({"E across a joint row every " + std::to_string(m) + " rows [Pa]",
@@ -177,6 +184,7 @@ std::vector<Check> cantilever_of(const MatrixRecipe& matrix, double k_s, double 
   Specimen s = assembly(discs, matrix);
   bond_touching(s);
   const statics::Network net = statics::make_network(s);
+  // Discs in a row that is bent open on one side: only the bonds are to answer.
   const std::vector<char> bonds_only(net.links.size(), 0);
   statics::Boundary boundary;
   statics::move_with(boundary, net, 0, {});
@@ -203,12 +211,14 @@ std::vector<Check> forces_of(const Cell& cell) {
   const Eigen::Vector3d e = cell.stiffness().inverse() * Eigen::Vector3d(0.0, -stress, 0.0);
   statics::Boundary boundary;
   boundary.movements = {{{0, 0}, 0.0}, {{0, 1}, 0.0}};
+  // A symmetric gradient: the cell as a whole does not turn.
   boundary.gradient = {e[0], 0.5 * e[2], 0.5 * e[2], e[1]};
   const statics::Movements u = statics::solve_once(net, boundary).u;
   double inclined_n = 0.0, inclined_s = 0.0, level_n = 0.0, couple = 0.0, level = 0.0, inclined = 0.0;
   for (const statics::Link& l : net.links) {
     const auto q = statics::forces(statics::stiffness(l, true), statics::strains(l, u, boundary.gradient));
     couple = std::max(couple, std::fabs(q[2]) / (stress * R_cell * R_cell));
+    // Contacts across the load are level; the other two directions are inclined by 60 degrees.
     if (std::fabs(l.n.y) < 0.1)
       level_n += q[0], level += 1.0;
     else

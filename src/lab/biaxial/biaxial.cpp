@@ -14,8 +14,10 @@ namespace phy::lab {
 TestBoundary confined_platens(const Packing& packing, const TestRecipe& test) {
   TestBoundary press = platens(packing);
   engine::Boundary& boundary = press.boundary;
+  // Free sides need neither walls nor jacket: the test is then a uniaxial one.
   if (test.confining_stress == 0.0) return press;
   if (test.confinement == Confinement::walls) {
+    // Without friction: rough walls would carry a part of the axial load.
     boundary.bodies.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
     boundary.bodies.push_back(flat_wall(packing, "right wall", {packing.width, 0.0}, {-1.0, 0.0}, false));
     boundary.lateral = {2, 3, {1.0, 0.0}};
@@ -58,11 +60,13 @@ void BiaxialTest::confine(double stress, bool platens_too) {
   if (platens_too) {
     engine::Servo axial;
     axial.on = true;
+    // The platens, too, have to let the specimen shorten under the stress all round.
     axial.force = stress * p.width;
     axial.stiffness = block_stiffness(*specimen_, p.width, p.height,
                                       result_.dt * static_cast<double>(recipe_.test.history_interval));
     axial.max_speed = servo_speed * recipe_.test.platen_speed;
     group_->prescribe(lane_, 0, {{}, 0.0, {}, axial});
+    // Opposite bodies push against each other: up from below, down from above.
     axial.force = -axial.force;
     group_->prescribe(lane_, 1, {{}, 0.0, {}, axial});
   }
@@ -76,6 +80,7 @@ void BiaxialTest::confine(double stress, bool platens_too) {
 
 void BiaxialTest::on_placed() {
   if (recipe_.test.confining_stress == 0.0) return start_loading();
+  // While the specimen settled nothing could break; what the confinement itself breaks is meant to show.
   group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prepare(0);
 }
@@ -85,8 +90,10 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
   const double time = static_cast<double>(n_blocks * recipe_.test.history_interval) * result_.dt;
   // As fast as the platens would raise the stress of sound rock.
   const double ramp = target / specimen_->matrix.modulus() * packing().height / (2.0 * speed);
+  // Brought up slowly: a sudden stress would be a wave of twice its height.
   const double now = target * std::min(1.0, time / ramp);
   confine(now, true);
+  // Nothing has moved yet: there is no row to judge by.
   if (n_blocks == 0) return false;
   const HistoryRow& row = latest_row();
   if (std::fabs(row.axial_strain) > most_confining_strain)
@@ -97,6 +104,7 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
   const double axial =
       0.5 * (group_->body(lane_, 0).mean_force.y - group_->body(lane_, 1).mean_force.y) / packing().width;
   const double lateral = row.lateral_stress / target, along = axial / target;
+  // Both have to be there: the strength depends on either.
   const double worse = std::fabs(lateral - 1.0) > std::fabs(along - 1.0) ? lateral : along;
   return load_once_steady(now == target, worse, close_enough);
 }

@@ -11,6 +11,7 @@ namespace phy::lab {
 
 History deviatoric(History history) {
   for (HistoryRow& r : history.rows) {
+    // The numbers of uniaxial compression read in q = sigma_1 - sigma_3, which is zero when loading begins.
     for (double* stress : {&r.axial_stress, &r.stress_top, &r.stress_bottom}) *stress -= r.lateral_stress;
   }
   return history;
@@ -26,6 +27,7 @@ std::vector<Number> confined_strength(const History& history, const analysis::Lo
       std::string("largest |lateral stress / target - 1| from the start of loading to the ") + branch.turn(),
       note};
   for (const HistoryRow& r : history.rows) {
+    // Behind the peak the sides may well lose their stress: nothing is read there.
     if (branch.empty() || r.axial_strain > branch.strain) break;
     if (confining_stress > 0.0)
       error.value = std::fmax(error.value, std::fabs(r.lateral_stress / confining_stress - 1.0));
@@ -43,6 +45,7 @@ std::vector<Number> confined_numbers(const History& history, const std::vector<C
   const analysis::LoadingBranch branch = analysis::loading_branch(q, stop);
   std::vector<Number> out = analysis::axial_numbers(q, branch, cracks, {path});
   const std::vector<Number> own = confined_strength(history, branch, confining_stress);
+  // Beside the strength, where a table of confined tests is read first.
   out.insert(out.begin() + 2, own.begin(), own.end());
   return out;
 }

@@ -24,6 +24,7 @@ namespace {
 engine::BoundaryBody jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
   engine::BoundaryBody body{std::move(name), {}, {}, true};
   const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
+  // Rays from outside along the arc: each grain of the rim that one meets is held.
   const double arc = angle / 180.0 * pi * 0.5 * diameter;
   const int n = static_cast<int>(std::ceil(arc / ray_spacing(packing)));
   std::vector<char> held(packing.discs.size(), 0);
@@ -35,6 +36,7 @@ engine::BoundaryBody jaw(const Packing& packing, std::string name, double diamet
   }
   for (std::uint32_t g = 0; g < held.size(); ++g) {
     if (held[g] == 0) continue;
+    // Pressed towards the centre, as by a jaw that fits the disc.
     const Vec2 inwards = centre - Vec2{packing.discs[g].x, packing.discs[g].y};
     body.touches.push_back({g, (1.0 / norm(inwards)) * inwards, 0.0});
   }
@@ -50,11 +52,13 @@ TestBoundary jaws(const Packing& packing, double diameter, double angle) {
     boundary.bodies = {jaw(packing, "bottom jaw", diameter, angle, -1.0),
                        jaw(packing, "top jaw", diameter, angle, 1.0)};
   } else {
+    // Flat platens touch the outermost grain, which a disc of grains has somewhere near its poles.
     double low = packing.height, high = 0.0;
     for (const Disc& d : packing.discs) low = std::min(low, d.y - d.r), high = std::max(high, d.y + d.r);
     boundary.bodies = {flat_wall(packing, "bottom platen", {0.0, low}, {0.0, 1.0}, true),
                        flat_wall(packing, "top platen", {0.0, high}, {0.0, -1.0}, true)};
   }
+  // The area makes the tension at the centre of the platen force: 2P/(pi D t) times Hondros' factor.
   set_axial(splitter, 0, 1, {0.0, 1.0}, {diameter, 0.5 * pi * diameter / brazilian_arc_factor(0.5 * angle)});
   return splitter;
 }
@@ -98,6 +102,7 @@ TestDescription description() {
              {"1st crack", "x/D", "first_crack_x", 1.0, 2},
              {"cracks in", "central third", "central_cracks", 1.0, 2}};
   d.cut = [](const Recipe& r) { return SpecimenCut{.diameter = disc_diameter(r)}; };
+  // Of its own: with that of platens a coarse disc rolls out of the jaws.
   d.friction = &TestRecipe::jaw_friction;
   // 6: approach of the jaws over the diameter, over BTS / E, after Hondros.
   d.expected = {.length = disc_diameter, .strain_factor = 6.0, .intact = 0.36, .bedded = 0.2};

@@ -13,6 +13,7 @@ namespace phy::lab {
 
 double brazilian_arc_factor(double alpha) {
   if (alpha == 0.0) return 1.0;
+  // Hondros (1959): pressure over an arc of 2 alpha instead of two lines of force.
   return (sin_cos_degrees(2.0 * alpha).sin - alpha * (pi / 180.0)) / sin_cos_degrees(alpha).sin;
 }
 
@@ -28,6 +29,7 @@ std::vector<Number> place_of_splitting(const History& history, const analysis::L
       ""};
   double n = 0.0, central = 0.0;
   for (const CrackEvent& c : cracks) {
+    // Behind the peak the halves crush each other; NaN, without a peak, takes none either.
     if (!(c.strain <= branch.strain)) continue;
     const double dx = (c.position.x - 0.5 * history.width) / diameter;
     const double dy = (c.position.y - 0.5 * history.height) / diameter;
@@ -48,6 +50,7 @@ std::vector<Number> disc_numbers(const History& history, const std::vector<Crack
   std::vector<Number> out = analysis::strength(branch);
   const std::vector<Number> place = place_of_splitting(history, branch, cracks, diameter);
   const double y = place[0].value, x = place[1].value;
+  // The formula holds for a disc that splits from its centre: a crack at the jaws measures something else.
   if (std::fmax(std::fabs(x), std::fabs(y)) > central_third)
     out.front().note = analysis::joined(
         out.front().note, fmt::format("no tensile strength: the first crack came {:.2f} diameters from the "

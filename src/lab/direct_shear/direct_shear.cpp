@@ -19,9 +19,11 @@ TestBoundary shear_boxes(const Packing& packing, double gap) {
   const double middle = 0.5 * packing.height;
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const double y = packing.discs[i].y - middle;
+    // Held in every way: a box neither tilts nor lets its grains turn.
     if (y < -0.5 * gap) boundary.bodies[0].grips.push_back({i, true, true, true});
     if (y >= 0.5 * gap) boundary.bodies[1].grips.push_back({i, true, true, true});
   }
+  // A displacement and no strain: what shears is a plane without thickness.
   set_axial(box, 1, 0, {1.0, 0.0}, {1.0, packing.width});
   boundary.lateral = {0, 1, {0.0, 1.0}};
   box.lateral = {1.0, packing.width};
@@ -41,12 +43,14 @@ double plane_stiffness(const Specimen& specimen, double gap) {
   double across = 0.0, sound = 0.0, radius = 0.0;  // sound: as if no joint were there
   const contact::Models& models = contact::models_of(specimen);
   for (Contact c : specimen.contacts) {
+    // Contacts that cross the middle carry all of the normal load.
     if ((discs[c.a].y < middle) == (discs[c.b].y < middle)) continue;
     across += engine::initial_stiffness(models, specimen, c).k.k_n;
     if (c.kind == ContactKind::joint) c.kind = ContactKind::bonded;
     sound += engine::initial_stiffness(models, specimen, c).k.k_n;
   }
   for (const Disc& d : discs) radius += d.r / static_cast<double>(discs.size());
+  // In series: the plane, and as many layers of grains as the gap has room for.
   return across / (1.0 + gap / (2.0 * radius) * (across / sound));
 }
 
@@ -78,6 +82,7 @@ engine::Servo DirectShearTest::normal_load(double stress, double spring, double 
   const double wave = recipe_.test.shear_gap > 0.0 ? wave_stiffness(specimen_->matrix, length, block) : 0.0;
   s.stiffness = stiffness_ + wave + spring * length;
   s.spring = spring * length;
+  // The spring counts from where shearing begins, not from where the box was set down.
   s.force = -stress * length + s.spring * offset;
   s.max_speed = servo_speed * recipe_.test.platen_speed;
   return s;
@@ -91,6 +96,7 @@ void DirectShearTest::on_placed() {
 
 bool DirectShearTest::prepare(std::int64_t n_blocks) {
   const double target = recipe_.test.normal_stress;
+  // As long as the box needs at its speed to press the plane together.
   const double ramp = target / (stiffness_ / packing().width) / recipe_.test.platen_speed;
   const double time = static_cast<double>(n_blocks * recipe_.test.history_interval) * result_.dt;
   const double now = target * std::min(1.0, time / ramp);

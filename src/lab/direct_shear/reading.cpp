@@ -41,6 +41,7 @@ std::vector<double> load_errors(const Rows& rows, const NormalLoad& load) {
   std::vector<double> errors;
   for (const HistoryRow* r : rows)
     if (load.stress > 0.0)
+      // With a spring the load asked for grows as the boxes are lifted.
       errors.push_back(r->lateral_stress / (load.stress - load.stiffness * r->lateral_strain) - 1.0);
   return errors;
 }
@@ -54,6 +55,7 @@ double largest(const std::vector<double>& errors) {
 double root_mean_square(const std::vector<double>& errors) {
   double squares = 0.0;
   for (const double e : errors) squares += e * e;
+  // NaN where there are none, which is what the number then is.
   return std::sqrt(squares / static_cast<double>(errors.size()));
 }
 
@@ -95,6 +97,7 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
   const double end = history.rows.empty() ? nan : history.rows.back().axial_strain;
   const Rows rising = between(history, 0.0, branch.strain);
   const Rows residual = between(history, (1.0 - residual_part) * end, end);
+  // Right behind the peak asperities still break: dilation is read where they slide.
   const Rows sliding = between(history, 0.5 * (branch.strain + end), end);
   Rows middle;
   for (const HistoryRow& r : analysis::first_passage(branch, {0.4, 0.6})) middle.push_back(&r);
@@ -109,6 +112,7 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
        "mean shear stress over the last quarter of the shear displacement", note},
       {"K_s", slope(middle, &HistoryRow::axial_stress), "Pa/m",
        "slope of shear stress over shear displacement between 40 and 60 % of tau_peak", note},
+      // Over the stress that was there, not over the one asked for: it is the friction of what slides.
       {"mu_residual", tau_residual / mean(residual, &HistoryRow::lateral_stress), "1",
        "tau_residual over the mean normal stress of the same quarter",
        load.stress > 0.0 ? note : "no normal stress"},
@@ -121,6 +125,7 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
   // Both end with the test, so that the longer one holds the other.
   const Rows& behind = residual.size() > sliding.size() ? residual : sliding;
   const std::vector<Number> kept = load_numbers(rising, residual, behind, load, note);
+  // Beside the strengths that depend on them.
   out.insert(out.begin() + 3, kept.begin(), kept.end());
   return out;
 }

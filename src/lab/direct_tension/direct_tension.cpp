@@ -14,6 +14,7 @@ double grip_thickness(const Recipe& recipe, const Packing& packing) {
   if (recipe.test.grip_thickness > 0.0) return recipe.test.grip_thickness;
   double largest = 0.0;
   for (const Disc& d : packing.discs) largest = std::max(largest, d.r);
+  // Some two layers of grains: one would be torn out by its own few bonds.
   return 4.0 * largest;
 }
 
@@ -23,9 +24,11 @@ TestBoundary grips(const Packing& packing, double thickness) {
   boundary.bodies = {{"bottom grip", {}, {}, false}, {"top grip", {}, {}, false}};
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const double y = packing.discs[i].y;
+    // Free sideways and to turn: held, the ends could not contract, and would start the crack.
     if (y < thickness) boundary.bodies[0].grips.push_back({i, false, true, false});
     if (y > packing.height - thickness) boundary.bodies[1].grips.push_back({i, false, true, false});
   }
+  // Strain counts over the length between the grips, which do not stretch.
   set_axial(pull, 0, 1, {0.0, 1.0}, {packing.height - 2.0 * thickness, packing.width});
   return pull;
 }
@@ -44,12 +47,14 @@ class DirectTensionTest final : public Procedure {
 void DirectTensionTest::prescribe_motion() {
   const Speeds speed = speeds();
   const double grip = grip_thickness(recipe_, packing()), free = packing().height - 2.0 * grip;
+  // From rest the specimen is set in motion as a whole; only a change of speed needs a ramp.
   const double ramp = speed.before > 0.0 ? ramp_over(free, speed) : 0.0;
   for (const auto& [body, way] : {std::pair(0, -1.0), std::pair(1, 1.0)})
     group_->prescribe(
         lane_, body, {.velocity = {0.0, way * speed.now}, .ramp = ramp, .before = {0.0, way * speed.before}});
   if (speed.before > 0.0) return;
   group_->start_moving(lane_, [&](Vec2 x) {
+    // Velocities linear from grip to grip: no wave runs in from the ends.
     return Vec2{0.0, speed.now * std::clamp(2.0 * (x.y - grip) / free - 1.0, -1.0, 1.0)};
   });
 }

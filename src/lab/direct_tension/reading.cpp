@@ -17,6 +17,7 @@ History mirrored(History history) {
   for (HistoryRow& r : history.rows)
     for (double* v : {&r.axial_strain, &r.axial_strain_gauge, &r.lateral_strain_gauge, &r.axial_stress,
                       &r.stress_top, &r.stress_bottom, &r.lateral_strain, &r.lateral_stress})
+      // Not -x: zero keeps its sign.
       *v = 0.0 - *v;
   return history;
 }
@@ -36,6 +37,7 @@ std::vector<Number> place_of_failure(const History& history, const std::vector<C
   std::vector<double> heights;
   double near = 0.0;
   for (const CrackEvent& c : cracks) {
+    // Strains of tension are negative: from the peak on they are below that of the peak.
     if (!(c.strain <= peak_strain)) continue;
     heights.push_back(c.position.y / history.height);
     const double end = std::min(c.position.y, history.height - c.position.y);
@@ -45,6 +47,7 @@ std::vector<Number> place_of_failure(const History& history, const std::vector<C
     position.note = at_grip.note = "no cracks from the peak on";
     return {position, at_grip};
   }
+  // The median: single cracks far from the fracture do not move it.
   const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
   std::nth_element(heights.begin(), middle, heights.end());
   position.value = *middle;
@@ -61,6 +64,7 @@ std::vector<Number> tension_numbers(const History& history, const std::vector<Cr
     return n.name == "sigma_cd" || n.name == "sigma_cd_volume" || n.name == "sigma_ci_strain";
   });
   const std::vector<Number> place = place_of_failure(history, cracks, -branch.strain, grip_thickness);
+  // The edge of a grip concentrates the stress, so that the rock would have borne more.
   if (place.back().value > 0.5)
     out.front().note =
         analysis::joined(out.front().note, "failed at the grip: a lower bound of the strength");

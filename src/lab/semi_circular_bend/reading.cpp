@@ -18,6 +18,7 @@ constexpr double in_range = 0.01;
 }  // namespace
 
 double bend_factor(double notch_ratio, double span_ratio) {
+  // Kuruppu et al. (2014), for a/R of 0.4 to 0.6 and s/2R of 0.5 to 0.8.
   const double b = notch_ratio, s = span_ratio;
   return -1.297 + 9.516 * s - (0.47 + 16.457 * s) * b + (1.071 + 34.401 * s) * b * b;
 }
@@ -31,6 +32,7 @@ std::vector<Number> toughness(const analysis::LoadingBranch& branch, const BendS
   const std::string note = analysis::branch_note(branch);
   const auto at_peak = [&](double value) { return branch.peaked ? value : nan; };
   const double R = specimen.radius, notch_ratio = specimen.notch / R;
+  // The factor is a fit: outside its range it is not wrong by a known amount.
   const bool published = notch_ratio >= 0.4 - in_range && notch_ratio <= 0.6 + in_range;
   const std::string outside =
       published ? "" : fmt::format("a/R = {:.3f}, the factor is published for 0.4 - 0.6", notch_ratio);

@@ -17,6 +17,7 @@ namespace phy::lab {
 
 BendSpecimen bend_specimen(const Recipe& recipe) {
   const TestRecipe& t = recipe.test;
+  // The largest half disc in the box: as wide as the box, or twice its height.
   const double most = std::min(recipe.specimen.width, 2.0 * recipe.specimen.height);
   const double R = 0.5 * (t.disc_diameter > 0.0 ? t.disc_diameter : most);
   return {R, t.notch_ratio * R, t.span_ratio * 2.0 * R};
@@ -32,6 +33,7 @@ void add_roller(engine::BoundaryBody& body, const Packing& half, double x, doubl
   const double outside = up > 0.0 ? -half.height : 2.0 * half.height;
   std::set<std::uint32_t> met;
   for (int k = 0; k <= n; ++k) {
+    // Over one largest radius to either side: a line may lie between two grains.
     const double along = bearing * (2.0 * static_cast<double>(k) / n - 1.0);
     const std::int64_t g = first_grain(half, {x + along, outside}, {0.0, up});
     if (g >= 0) met.insert(static_cast<std::uint32_t>(g));
@@ -44,6 +46,7 @@ void add_roller(engine::BoundaryBody& body, const Packing& half, double x, doubl
 BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen) {
   const Vec2 flat = specimen.flat_face(half.width);
   const std::int64_t first = first_grain(half, {flat.x, 0.0}, {0.0, 1.0});
+  // The blunt end of the notch is a grain: its centre is where lattices have the tip of an equal crack.
   if (first >= 0) specimen.notch = half.discs[static_cast<std::size_t>(first)].y - flat.y;
   return specimen;
 }
@@ -51,6 +54,7 @@ BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen) {
 TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen) {
   TestBoundary press;
   const Vec2 flat = specimen.flat_face(half.width);
+  // The bottom of the box is one largest radius below the flat face (cut.hpp).
   const double centre = flat.x, bearing = flat.y;  // to either side of a line
   engine::BoundaryBody supports{"support rollers", {}, {}, true}, loading{"loading roller", {}, {}, true};
   for (const double side : {-0.5, 0.5})
@@ -59,6 +63,7 @@ TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen) {
   press.boundary.bodies = {std::move(supports), std::move(loading)};
   const double diameter = 2.0 * specimen.radius;
   press.boundary.axial = {0, 1, {0.0, 1.0}, loaded_share * diameter};
+  // A displacement, and P/(2 R B) as the stress.
   press.axial = {1.0, diameter};
   return press;
 }
@@ -87,12 +92,14 @@ class SemiCircularBendTest final : public Procedure {
 };
 
 double SemiCircularBendTest::mouth() const {
+  // A flank may have lost its grain to the saw.
   if (mouth_.left < 0 || mouth_.right < 0) return nan;
   const std::vector<GrainState> grains = group_->grains(lane_);
   return grains[static_cast<std::size_t>(mouth_.right)].ux - grains[static_cast<std::size_t>(mouth_.left)].ux;
 }
 
 void SemiCircularBendTest::on_placed() {
+  // Settling may have opened the notch a little already.
   before_ = mouth();
   start_loading();
 }

@@ -26,11 +26,13 @@ class UniaxialTest final : public Procedure {
 void UniaxialTest::on_placed() {
   if (!may_pre_strain_) return start_loading();
   group_->forbid_breakage(lane_, true);
+  // An affine strain saves the slow first part of the loading; what it breaks would be its own doing.
   group_->pre_strain(lane_, recipe_.test.pre_strain);
 }
 
 bool UniaxialTest::prepare(std::int64_t n_blocks) {
   if (n_blocks * recipe_.test.history_interval < pre_strain_cycles) return false;
+  // A bond at its strength would have broken on the way: the jump went too far.
   if (!specimen_->matrix.unbreakable && group_->at_strength(lane_)) return !begin_without();
   may_pre_strain_ = false, pre_strained_ = true;
   start_loading();
