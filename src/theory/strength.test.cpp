@@ -7,7 +7,6 @@
 #include "base/exact_math.hpp"
 #include "theory/hoek_brown.hpp"
 #include "theory/jaeger.hpp"
-#include "theory/variable_cohesion.hpp"
 
 namespace phy::theory {
 namespace {
@@ -89,36 +88,6 @@ TEST(HoekBrown, AnisotropyParameterScalesTheSlope) {
   const double h = 1.0;  // initial slope d sigma_1 / d sigma_3 = 1 + k m_i / 2
   const double slope = (saroglou_tsiambaos_sigma_1(60e6, 0.6, 10.0, h) - 60e6) / h;
   EXPECT_NEAR(slope, 1.0 + 0.6 * 10.0 / 2.0, 1e-6);
-}
-
-TEST(VariableCohesion, DonathCurveHasItsMinimumAndShoulders) {
-  const OrientationLaw law = donath_law(100e6, 60e6, 60.0);
-  EXPECT_DOUBLE_EQ(law.at(60.0), 40e6);
-  EXPECT_NEAR(law.at(15.0), 100e6, 1e-6);
-  EXPECT_NEAR(law.at(90.0), 70e6, 1e-6);  // cos 60 = 1/2
-  EXPECT_NEAR(law.at(0.0), 130e6, 1e-6);  // cos 120 = -1/2
-  EXPECT_DOUBLE_EQ(law.at(150.0), law.at(30.0));
-}
-
-TEST(VariableCohesion, ConstantLawIsCoulomb) {
-  const OrientationLaw flat = donath_law(20e6, 0.0, 60.0);
-  EXPECT_DOUBLE_EQ(variable_cohesion_sigma_1(flat, 30.0, 10.0, 4e6), coulomb_sigma_1({20e6, 30.0}, 4e6));
-  const McLamoreGray rock{flat, donath_law(tan_degrees(30.0), 0.0, 60.0)};
-  EXPECT_DOUBLE_EQ(mclamore_gray_sigma_1(rock, 77.0, 4e6), coulomb_sigma_1({20e6, 30.0}, 4e6));
-}
-
-TEST(VariableCohesion, McLamoreGrayBranchesAndExponent) {
-  McLamoreGray rock;
-  rock.cohesion = {{50e6, 30e6}, {40e6, 20e6}, 60.0, 5};
-  rock.tan_friction = {{0.7, 0.2}, {0.7, 0.2}, 55.0, 3};
-  EXPECT_NEAR(rock.cohesion.at(60.0), 20e6, 1e-6);
-  EXPECT_NEAR(rock.cohesion.at(60.0 + 1e-9), 20e6, 1.0);  // A - B agrees, so the branches meet
-  EXPECT_NEAR(rock.cohesion.at(90.0), 40e6 - 20e6 / 32.0, 1e-6);
-  EXPECT_NEAR(rock.cohesion.at(30.0), 50e6 - 30e6 / 32.0, 1e-6);
-  EXPECT_NEAR(rock.tan_friction.at(25.0), 0.7 - 0.2 / 8.0, 1e-12);
-  const double mu = rock.tan_friction.at(40.0);
-  const Coulomb same{rock.cohesion.at(40.0), degrees(std::atan(mu))};
-  EXPECT_NEAR(mclamore_gray_sigma_1(rock, 40.0, 6e6) / coulomb_sigma_1(same, 6e6), 1.0, 1e-12);
 }
 
 }  // namespace
