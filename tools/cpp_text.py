@@ -48,9 +48,11 @@ class Function:
     last: int
     parameters: int
     body: str  # code without texts
+    comments: int  # lines that are nothing else
 
     def length(self):
-        return self.last - self.line + 1
+        """Lines of code: a comment that says why makes no function too long."""
+        return self.last - self.line + 1 - self.comments
 
     def is_table_of_text(self):
         """A body that only lists texts, entry by entry: no decision, a text in most statements and in 2 of 5 lines."""
@@ -158,6 +160,8 @@ def functions(text):
     """Every function with a body, wherever it stands: in namespaces, classes, local classes of functions are part of these."""
     code = MACRO.sub(lambda call: blank(call.group(0)), code_of(text))
     found = []
+    lines = code.split('\n')
+    alone = {line for line in comment_lines(text) if not lines[line].strip()}
     start = i = 0
     n = len(code)
     scopes = []
@@ -178,8 +182,9 @@ def functions(text):
             if function and not re.match(r'\s*(?:inline\s+)?namespace\b|\s*(?:enum)\b', plain):
                 end, body_start = body_end(code, i, head)
                 name, place, parameters = function
-                found.append(Function(name, code.count('\n', 0, place) + 1, code.count('\n', 0, end) + 1,
-                                      parameter_count(parameters), code[body_start:end + 1]))
+                first, last = code.count('\n', 0, place), code.count('\n', 0, end)
+                found.append(Function(name, first + 1, last + 1, parameter_count(parameters), code[body_start:end + 1],
+                                      sum(first <= line <= last for line in alone)))
                 i = end
                 start = i + 1
             elif SCOPE.search(plain) and not re.search(r'(?<![=!<>])=(?!=)', without_angles(plain)):

@@ -1,5 +1,6 @@
 // What a result's fingerprint covers, and how outcomes are named.
 #include "records/result.hpp"
+#include "records/test_description.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 
 #include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
+#include "records/test_description.hpp"
 #include "study/experiment.hpp"
 #include "study/scheduler.hpp"
 #include "study/study_in.hpp"

@@ -17,6 +17,7 @@
 #include "base/in_folder_fixture.hpp"
 #include "base/nan.hpp"
 #include "io/toml_in.hpp"
+#include "records/test_description.hpp"
 #include "study/experiment.hpp"
 
 namespace phy::study {

@@ -4,7 +4,8 @@
 //   Saroglou-Tsiambaos:        sigma_1 = sigma_3 + sigma_ct sqrt( k m_i sigma_3 / sigma_ct + 1 )
 //
 // sigma_ct is the unconfined strength, as measured at that inclination, and k the anisotropy parameter there:
-// 1 when the load is normal to the planes, where the second law is the first. Sources: E. Hoek & E.T. Brown (1980), read in E. Eberhardt, "The Hoek-Brown
+// 1 when the load is normal to the planes, where the second law is the first.
+// Sources: E. Hoek & E.T. Brown (1980), read in E. Eberhardt, "The Hoek-Brown
 // failure criterion", Rock Mech. Rock Eng. 45 (2012) 981-988, Eq. 1 with s = 1; H. Saroglou & G. Tsiambaos,
 // "A modified Hoek-Brown failure criterion for anisotropic intact rock", IJRMMS 45 (2008) 223-234 (its text
 // could not be opened: the form above is the commonly quoted one). Compression positive. Left out: rock mass
