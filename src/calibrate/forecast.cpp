@@ -35,13 +35,9 @@ struct Answer {
 /// Strengths are fitted where one in compression is among them.
 bool is_fitted(const Evidence& evidence, Property p) { return !is_strength(p) || evidence.fits_strength(); }
 
-/// No test under a confining stress was.
-bool is_mapped(const Evidence& evidence, const ModelFamily& family, const Target& t) {
-  const Property p = t.property;
-  if (t.confining > 0.0) return false;
-  if (p == Property::nu) return evidence.rock.E_is != ModulusReading::small_strain;
-  return p == Property::E || p == Property::ucs || p == Property::brazilian ||
-         (p == Property::direct_tension && !family.layered);
+/// The column of a target; nullptr: it was not mapped, as no test under a confining stress was.
+const char* column_of(const Evidence& evidence, const ModelFamily& family, const Target& t) {
+  return t.confining > 0.0 ? nullptr : map_column(family, t.property, evidence.rock.E_is);
 }
 
 /// What is told of a value that is not foretold.
@@ -50,26 +46,20 @@ std::string silent_name(const Target& t) {
   return to_string(t.property) + std::string(moduli ? " under confinement" : "");
 }
 
-std::string stem_of(Property p, ModulusReading reading) {
-  if (p == Property::nu) return "nu50";
-  if (p != Property::E) return strength_stem(p);
-  return reading == ModulusReading::small_strain ? "E_small/E_c" : "E50/E_c";
-}
-
 std::vector<Answer> answers_of(const Evidence& evidence, const ModelFamily& family, int fold) {
   std::map<std::string, ReachRegression> made;
-  const auto of = [&](const std::string& stem, double theta) {
-    const std::string column = column_at(family, stem, theta);
+  const auto of = [&](const char* name, double theta) {
+    const std::string column = column_at(family, name, theta);
     const auto it = made.find(column);
     if (it != made.end()) return it->second;
     return made.emplace(column, ReachRegression(reach_of(family), column, fold)).first->second;
   };
   std::vector<Answer> answers;
   for (const Target& t : evidence.targets) {
-    if (!is_fitted(evidence, t.property) || !is_mapped(evidence, family, t)) continue;
-    const std::string stem = stem_of(t.property, evidence.rock.E_is);
+    const char* column = column_of(evidence, family, t);
+    if (!is_fitted(evidence, t.property) || column == nullptr) continue;
     const Bracket b = bracket_of(t.property, t.theta);
-    answers.push_back({t, ReachRegression(of(stem, b.low), of(stem, b.high), b.share)});
+    answers.push_back({t, ReachRegression(of(column, b.low), of(column, b.high), b.share)});
   }
   return answers;
 }
@@ -105,7 +95,8 @@ struct ForecastProblem {
   }
   /// Logarithm of an answer.
   double model(const VectorXd& x, const std::vector<double>& at, const Answer& a) const {
-    return a.known.at(at) + (a.target.property == Property::nu ? 0.0 : x[scale_of(a.target)]);
+    return a.known.at(at) + log_share(a.target.property) +
+           (measured(a.target.property).absolute ? 0.0 : x[scale_of(a.target)]);
   }
   void operator()(const VectorXd& x, VectorXd& r) const {
     const std::vector<double> at = places_at(x);
@@ -113,7 +104,7 @@ struct ForecastProblem {
     for (const Answer& a : answers) {
       const double log_value = model(x, at, a), mean = a.target.mean;
       const double miss =
-          a.target.property == Property::nu ? std::exp(log_value) - mean : log_value - std::log(mean);
+          measured(a.target.property).absolute ? std::exp(log_value) - mean : log_value - std::log(mean);
       r[n++] = softened(2.0 * miss / tolerance(a.target.property));
     }
     for (std::size_t j = 0; j < sought.size(); ++j)
@@ -139,8 +130,9 @@ struct ForecastProblem {
     const std::vector<double> here = places_at(x);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero(), n = sum;
     for (const Answer& a : answers) {
-      if (a.target.property == Property::nu) continue;
-      sum[scale_of(a.target)] += std::log(a.target.mean) - a.known.at(here), n[scale_of(a.target)] += 1.0;
+      if (measured(a.target.property).absolute) continue;
+      sum[scale_of(a.target)] += std::log(a.target.mean) - log_share(a.target.property) - a.known.at(here);
+      n[scale_of(a.target)] += 1.0;
     }
     x.head<2>() = sum.cwiseQuotient(n.cwiseMax(1.0));
     return x;
@@ -188,10 +180,10 @@ double left_out_error(const ModelFamily& family, const std::string& column) {
 /// What the quadratics miss of a strength, or of E or nu at half of UCS, of specimens that they were not
 /// shown, by its logarithm.
 double ignorance(const ModelFamily& family, const Target& t) {
-  const std::string stem = stem_of(t.property, ModulusReading::tangent_50);
+  const char* column = measured(t.property).map.as_read;
   const Bracket b = bracket_of(t.property, t.theta);
-  return std::lerp(left_out_error(family, column_at(family, stem, b.low)),
-                   left_out_error(family, column_at(family, stem, b.high)), b.share);
+  return std::lerp(left_out_error(family, column_at(family, column, b.low)),
+                   left_out_error(family, column_at(family, column, b.high)), b.share);
 }
 
 /// Do the strengths miss as a whole, and not only where the quadratics know little?
@@ -247,7 +239,7 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
     f.rows.push_back(c);
   }
   for (const Target& t : evidence.targets)
-    if (is_fitted(evidence, t.property) && !is_mapped(evidence, *family, t))
+    if (is_fitted(evidence, t.property) && column_of(evidence, *family, t) == nullptr)
       if (const std::string name = silent_name(t); f.silent.empty() || f.silent.back() != name)
         f.silent.push_back(name);
   bool at_edge = false;

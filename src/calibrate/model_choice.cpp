@@ -61,7 +61,7 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int thr
   std::vector<std::size_t> mapped;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
     const Target& t = posterior.targets()[i];
-    if (t.confining == 0.0 && t.property != Property::fracture_toughness) mapped.push_back(i);
+    if (t.confining == 0.0 && measured(t.property).grain_exponent == 0.0) mapped.push_back(i);
   }
   std::vector<double> errors(mapped.size());
   for_all(mapped.size(), threads, [&] {
@@ -115,7 +115,7 @@ bool shows_layers(const Evidence& evidence) {
   constexpr std::ptrdiff_t least_strengths = 4;
   return evidence.has(Property::ucs) &&
          std::count_if(evidence.strengths.begin(), evidence.strengths.end(), [](const Target& t) {
-           return t.confining == 0.0 && t.property != Property::fracture_toughness;
+           return t.confining == 0.0 && measured(t.property).grain_exponent == 0.0;
          }) >= least_strengths;
 }
 
@@ -163,7 +163,8 @@ bool shows_matrix(const Evidence& evidence) {
   const bool bedded = evidence.rock.bedded;
   return !(bedded && of_parallel_bonds(evidence.rock.layers)) && evidence.has(Property::ucs) &&
          (!bedded || shows_layers(evidence)) &&
-         (evidence.has(Property::brazilian) || evidence.has(Property::direct_tension));
+         std::any_of(evidence.targets.begin(), evidence.targets.end(),
+                     [](const Target& t) { return is_tensile(t.property); });
 }
 
 }  // namespace

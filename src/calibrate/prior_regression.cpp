@@ -13,13 +13,7 @@
 namespace phy::calibrate {
 namespace {
 
-/// How far a rock may lie from what is expected: points left out are missed by 0.09 - 0.25 in UCS, by 0.2 -
-/// 0.4 in Brazilian strength.
-struct Belief {
-  double constant, slope, curvature;
-};
-constexpr Belief compression_belief = {0.15, 0.06, 0.04}, tension_belief = {0.3, 0.15, 0.06},
-                 stand_in_belief = {0.4, 0.2, 0.06}, confinement_belief = {0.2, 0.1, 0.06};
+constexpr PriorWidth stand_in_width = {0.4, 0.2, 0.06};  // of direct tension of layered rock
 
 using LogAnswer = std::function<double(std::size_t row)>;
 
@@ -48,7 +42,7 @@ const ReachRegression& tension_ratio_of(const ModelFamily& intact) {
 
 /// Axial stress where cracks begin (a tenth of them in the maps), over sigma_c.
 const ReachRegression& initiation_of(const ModelFamily& family, double theta) {
-  const std::string ucs = column_at(family, strength_stem(Property::ucs), theta),
+  const std::string ucs = column_at(family, measured(Property::ucs).map.as_read, theta),
                     share = column_at(family, "sigma_ci/UCS", theta);
   return made_once(family, share, [&table = reach_of(family), ucs, share](std::size_t row) {
     return std::log(table.at(row, ucs) * table.at(row, share));
@@ -63,16 +57,18 @@ const ReachRegression& growth_of(const ModelFamily& intact) {
   });
 }
 
-/// Between the mapped angles.
+/// Between the mapped angles. A disc is pulled a quarter turn from its load, and stands in for direct tension
+/// where that was not mapped.
 ReachRegression regression_at(const ModelFamily& family, Property property, double theta) {
-  const bool stands_in = property == Property::direct_tension && family.layered;
-  const Property mapped = stands_in ? Property::brazilian : property;
-  const std::string stem = strength_stem(mapped);
-  const Bracket b = bracket_of(mapped, stands_in ? 90.0 - theta : theta);
-  if (property == Property::crack_initiation)
+  if (property == Property::crack_initiation) {
+    const Bracket b = bracket_of(Property::ucs, theta);
     return {initiation_of(family, b.low), initiation_of(family, b.high), b.share};
-  return {regression_of(family, column_at(family, stem, b.low)),
-          regression_of(family, column_at(family, stem, b.high)), b.share};
+  }
+  const char* column = map_column(family, property, ModulusReading::tangent_50);
+  if (column == nullptr) return regression_at(family, Property::brazilian, 90.0 - theta);
+  const Bracket b = bracket_of(property, theta);
+  return {regression_of(family, column_at(family, column, b.low)),
+          regression_of(family, column_at(family, column, b.high)), b.share};
 }
 
 /// The family of the same bonds without layers.
@@ -125,19 +121,24 @@ double PriorRegression::at(std::span<const double> z) const {
 
 namespace {
 
+PriorMean prior_of(std::function<double(std::span<const double>)> value, const PriorWidth& width) {
+  return {std::move(value), width.constant, width.slope, width.curvature};
+}
+
 /// UCS and what the confining stress adds. `z`: the ratios, then the place of sigma_c in its box.
 PriorMean confined_strength(const Evidence& evidence, const Recipe& recipe, const ModelFamily& family,
                             const Target& target) {
   const std::vector<const StrengthParameter*> ratios = strength_ratios(evidence);
   const ModelFamily& intact = without_layers(family);
   const LogBox sigma = matrix_sigma_c.box(evidence.scales);
-  return {[ucs = PriorRegression(ratios, recipe, Property::ucs, target.theta),
-           growth = PriorRegression(ratios, recipe, intact, growth_of(intact)), sigma,
-           stress = target.confining](std::span<const double> z) {
-            const double sigma_c = std::exp(std::lerp(sigma.low, sigma.high, 0.5 * (z.back() + 1.0)));
-            return std::log(std::exp(ucs.at(z)) + std::exp(growth.at(z)) * stress / sigma_c);
-          },
-          confinement_belief.constant, confinement_belief.slope, confinement_belief.curvature};
+  return prior_of(
+      [ucs = PriorRegression(ratios, recipe, Property::ucs, target.theta),
+       growth = PriorRegression(ratios, recipe, intact, growth_of(intact)), sigma,
+       stress = target.confining](std::span<const double> z) {
+        const double sigma_c = std::exp(std::lerp(sigma.low, sigma.high, 0.5 * (z.back() + 1.0)));
+        return std::log(std::exp(ucs.at(z)) + std::exp(growth.at(z)) * stress / sigma_c);
+      },
+      measured(target.property).prior);
 }
 
 }  // namespace
@@ -159,15 +160,14 @@ PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const T
   PriorRegression known(ratios, recipe, property, target.theta);
   if (property == Property::direct_tension && family->layered) {
     const ModelFamily& intact = without_layers(*family);
-    return {
+    return prior_of(
         [disc = std::move(known), ratio = PriorRegression(ratios, recipe, intact, tension_ratio_of(intact))](
             std::span<const double> z) { return disc.at(z) + ratio.at(z); },
-        stand_in_belief.constant, stand_in_belief.slope, stand_in_belief.curvature};
+        stand_in_width);
   }
-  const Belief& believed =
-      property == Property::ucs ? compression_belief : tension_belief;  // sigma_ci as roughly
-  return {[k = std::move(known)](std::span<const double> z) { return k.at(z); }, believed.constant,
-          believed.slope, believed.curvature};
+  return prior_of([k = std::move(known),
+                   share = log_share(property)](std::span<const double> z) { return k.at(z) + share; },
+                  measured(property).prior);
 }
 
 }  // namespace phy::calibrate

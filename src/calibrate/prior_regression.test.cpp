@@ -142,7 +142,7 @@ TEST(PriorRegression, PredictsPointsThatTookNoPart) {
   for (const ModelFamily& family : model_families())
     for (const double theta : mapped_angles) {
       if (!family.layered && theta > 0.0) continue;
-      const std::string column = column_at(family, strength_stem(Property::ucs), theta);
+      const std::string column = column_at(family, "UCS/sigma_c", theta);
       const double error = ReachRegression::left_out_error(reach_of(family), column);
       std::printf("%s, %s: missed by %.3f\n", family.name, column.c_str(), error);
       EXPECT_LT(error, 0.35) << family.name << ' ' << column;

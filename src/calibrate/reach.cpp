@@ -129,15 +129,22 @@ const ReachTable& reach_of(const ModelFamily& family) {
   return tables.at(family.name);
 }
 
-std::string column_at(const ModelFamily& family, const std::string& stem, double theta) {
-  return family.layered ? fmt::format("{}({:g})", stem, theta) : stem;
+std::string column_at(const ModelFamily& family, const std::string& column, double theta) {
+  return family.layered ? fmt::format("{}({:g})", column, theta) : column;
 }
 
-std::string strength_stem(Property property) { return fmt::format("{}/sigma_c", to_string(property)); }
+const char* map_column(const ModelFamily& family, Property property, ModulusReading reading) {
+  const MapColumns& of = measured(property).map;
+  if (family.layered && !of.layered) return nullptr;
+  const bool small_strain = !is_strength(property) && reading == ModulusReading::small_strain;
+  return small_strain ? of.small_strain : of.as_read;
+}
+
+double log_share(Property property) { return std::log(measured(property).share); }
 
 Bracket bracket_of(Property property, double theta) {
   const std::span<const double> mapped =
-      property == Property::brazilian ? std::span<const double>(mapped_disc_angles) : mapped_angles;
+      measured(property).of_discs ? std::span<const double>(mapped_disc_angles) : mapped_angles;
   if (theta > 90.0) theta = 180.0 - theta;  // mirror images
   std::size_t i = 0;
   while (i + 2 < mapped.size() && mapped[i + 1] < theta) ++i;

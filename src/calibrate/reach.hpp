@@ -42,9 +42,13 @@ class ReachTable {
 /// The table of a family.
 const ReachTable& reach_of(const ModelFamily& family);
 
-/// "nu50(30)", "nu50": a column at a mapped inclination, and the stem of that of a strength, "UCS/sigma_c".
-std::string column_at(const ModelFamily& family, const std::string& stem, double theta);
-std::string strength_stem(Property property);
+/// "nu50(30)", "nu50": a column at a mapped inclination.
+std::string column_at(const ModelFamily& family, const std::string& column, double theta);
+
+/// The column of a property in the map of a family, as a table reads its moduli; nullptr: it was not mapped.
+const char* map_column(const ModelFamily& family, Property property, ModulusReading reading);
+/// What a property adds to the logarithm of that column.
+double log_share(Property property);
 
 /// The two mapped inclinations about an angle [0, 180 deg] of a property, and the share of the
 /// second.

@@ -222,7 +222,7 @@ TEST(Reach, TheRegressionMeetsAQuadraticAndHoldsItsEdges) {
 
 TEST(Reach, ARegressionOverSomeLeversIsTheWholeOneWithTheOthersHeld) {
   const ModelFamily& family = model_families().front();
-  const ReachRegression whole(reach_of(family), column_at(family, strength_stem(Property::ucs), 30.0));
+  const ReachRegression whole(reach_of(family), column_at(family, "UCS/sigma_c", 30.0));
   std::vector<double> places(family.levers.size());
   for (std::size_t i = 0; i < places.size(); ++i)
     places[i] = 1.5 * std::sin(1.0 + 2.3 * static_cast<double>(i));  // some beyond where they are held

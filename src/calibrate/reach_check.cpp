@@ -16,39 +16,35 @@ constexpr double times_nearer = 1.1;
 
 /// A number as models are compared by it: its logarithm, but nu, which may be negative, as it is.
 double compared(Property property, double value) {
-  return property == Property::nu ? value : std::log(value);
+  return measured(property).absolute ? value : std::log(value);
 }
 
-/// The same of a cell between the mapped inclinations of a property, linear. `stem`: "UCS/sigma_c".
-double compared_at(const ReachTable& table, std::size_t row, const std::string& stem, Property property,
+/// The same of a cell between the mapped inclinations of a property, linear. `column`: "UCS/sigma_c".
+double compared_at(const ReachTable& table, std::size_t row, const std::string& column, Property property,
                    double theta) {
   const Bracket b = bracket_of(property, theta);
   const auto at = [&](double angle) {
-    return compared(property, table.at(row, column_at(table.family(), stem, angle)));
+    return compared(property, table.at(row, column_at(table.family(), column, angle)));
   };
-  return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0);
+  return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0) +
+         log_share(property);
 }
 
-/// Not every test was done for every family, and none under a confining stress; nu was read at half of UCS,
-/// as that of a model is only where the table has E as a test reads it.
+/// The column of a target; nullptr: it was not mapped, as no test under a confining stress was. nu was read
+/// at half of UCS, as that of a model is only where the table has E as a test reads it.
+const char* column_of(const ReachTable& table, const Evidence& evidence, const Target& t) {
+  if (t.confining != 0.0 || (t.property == Property::nu && !evidence.has(Property::E))) return nullptr;
+  return map_column(table.family(), t.property, evidence.rock.E_is);
+}
 bool was_mapped(const ReachTable& table, const Evidence& evidence, const Target& t) {
-  return t.confining == 0.0 && t.property != Property::crack_initiation &&
-         t.property != Property::fracture_toughness &&
-         !(t.property == Property::nu &&
-           (evidence.rock.E_is == ModulusReading::small_strain || !evidence.has(Property::E))) &&
-         !(t.property == Property::direct_tension && table.family().layered);
+  return column_of(table, evidence, t) != nullptr;
 }
 
 /// What a point gives for a target, as compared(), up to a scale but for nu; NaN: it was not mapped, or has
 /// no answer.
 double answer(const ReachTable& table, std::size_t row, const Evidence& evidence, const Target& t) {
-  if (!was_mapped(table, evidence, t)) return nan;
-  const bool small_strain = evidence.rock.E_is == ModulusReading::small_strain;
-  const std::string stem = t.property == Property::nu  ? "nu50"
-                           : t.property != Property::E ? strength_stem(t.property)
-                           : small_strain              ? "E_small/E_c"
-                                                       : "E50/E_c";
-  return compared_at(table, row, stem, t.property, t.theta);
+  const char* column = column_of(table, evidence, t);
+  return column == nullptr ? nan : compared_at(table, row, column, t.property, t.theta);
 }
 
 /// Weighted sum of squares of differences of logarithms about their mean: one scale is free.
@@ -67,7 +63,7 @@ struct LogSpread {
 
 /// What a difference of logarithms, of nu that of the values, is counted in; NaN: it does not count.
 using Unit = double (*)(Property);
-double relative(Property property) { return property == Property::nu ? nan : 1.0; }
+double relative(Property property) { return measured(property).absolute ? nan : 1.0; }
 
 /// Of the values of the table that a family has mapped; `answer_to`: of a model, as compared(), up to its two
 /// scales.
@@ -80,7 +76,7 @@ double error_of(const ReachTable& table, const Evidence& evidence, Unit unit, co
     const double one = unit(t.property);
     if (std::isnan(one) || !was_mapped(table, evidence, t)) continue;
     const double off = compared(t.property, t.mean) - answer_to(t);
-    if (t.property == Property::nu)
+    if (measured(t.property).absolute)
       squares += std::pow(off / one, 2.0), ++n_nu;
     else
       (is_strength(t.property) ? strengths : moduli).add(off, 1.0 / (one * one));

@@ -50,7 +50,9 @@ Recipe tested_as(Recipe recipe, const Target& t) {
 
 /// Strain at the peak that the table has, times the modulus of the specimen [Pa].
 double strain_times_modulus(const Recipe& recipe, const Target& t) {
-  return test_of(t.property).peak_of_value.strain_times_modulus(tested_as(recipe, t), t.mean, t.confining);
+  return test_of(t.property)
+      .peak_of_value.strain_times_modulus(tested_as(recipe, t), t.mean / measured(t.property).share,
+                                          t.confining);
 }
 
 /// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
@@ -165,7 +167,7 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
 }
 
 double strength_of(const TestResult& result, Property property) {
-  return number_of(result, measured(property).number);
+  return measured(property).share * number_of(result, measured(property).number);
 }
 
 double modulus_of(const TestResult& result, Property property, ModulusReading reading) {

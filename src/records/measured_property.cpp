@@ -158,7 +158,7 @@ const MeasuredProperty* find_property(std::string_view name) {
 
 std::optional<Property> property_of(std::string_view test, std::string_view number) {
   for (const MeasuredProperty& p : properties)
-    if (p.test != nullptr && test == p.test && number == p.number) return p.property;
+    if (p.test != nullptr && test == p.test && number == p.number && p.share == 1.0) return p.property;
   return std::nullopt;
 }
 

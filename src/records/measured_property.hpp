@@ -77,6 +77,7 @@ struct MeasuredProperty {
   /// The laboratory test that answers it, and by which number; nullptr: the direct solution.
   const char* test = nullptr;
   const char* number = nullptr;
+  double share = 1.0;  ///< of that number, where an empirical relation stands in for the test itself
   /// Read on the way to another strength, in its test at the same inclination.
   std::optional<Property> read_before = std::nullopt;
   bool of_discs = false;      ///< tested on discs or halves of discs, whose diameter the table may have
