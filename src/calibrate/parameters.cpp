@@ -136,10 +136,13 @@ Rule sigma_c_rule(const Evidence& e) {
           {at_both_ends(Property::ucs)}};
 }
 
-/// A disc splits along its load: planes at 90 degrees open in it, as those at 0 do in direct tension.
-const LabTests tension({{Property::direct_tension}, {Property::brazilian}}),
-    tension_across({between(Property::direct_tension, 0.0, 30.0), between(Property::brazilian, 60.0, 90.0)}),
-    tension_along({between(Property::direct_tension, 60.0, 90.0), between(Property::brazilian, 0.0, 30.0)});
+/// A disc splits along its load, as a core under points does: planes at 90 degrees open in it, as those at 0
+/// do in direct tension.
+const LabTests tension({{Property::direct_tension}, {Property::brazilian}, {Property::point_load}}),
+    tension_across({between(Property::direct_tension, 0.0, 30.0), between(Property::brazilian, 60.0, 90.0),
+                    between(Property::point_load, 60.0, 90.0)}),
+    tension_along({between(Property::direct_tension, 60.0, 90.0), between(Property::brazilian, 0.0, 30.0),
+                   between(Property::point_load, 0.0, 30.0)});
 
 bool holds(const Evidence& e, const LabTests& any) { return !held_by(e.targets, {any}).empty(); }
 

@@ -142,7 +142,29 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .of_discs = true,
       .splits = true,
       .grain_exponent = 0.5,
-      .prior = {0.4, 0.2, 0.06}}}};
+      .prior = {0.4, 0.2, 0.06}},
+     // A point load has no counterpart in the plane. I_s(50) is about 0.8 of the Brazilian strength by the
+     // ISRM (1985, Int. J. Rock Mech. Min. Sci. 22(2):51-60); the relation is empirical and differs from rock
+     // to rock, so that its margins are twice those of a Brazilian test.
+     {.property = Property::point_load,
+      .name = "I_s50",
+      .test_name = "point load strength",
+      .meaning = "point load strength index I_s(50), load as in a Brazilian test; taken as 0.8 of BTS, an "
+                 "empirical relation (ISRM 1985)",
+      .headers = {"Is50", "I_s(50)", "point load strength", "point load strength index", "point load index",
+                  "PLI", "PLSI"},
+      .axis = "point load strength {/:Italic I}_{s(50)}",
+      .part = Part::tension,
+      .tolerance = 0.20,
+      .coarsest = 0.50,
+      .usual_scatter = 0.20,
+      .test = "brazilian",
+      .number = "bts",
+      .share = 0.8,
+      .of_discs = true,
+      .splits = true,
+      .map = {"BTS/sigma_c"},
+      .prior = {0.4, 0.15, 0.06}}}};
 
 }  // namespace
 

@@ -15,16 +15,17 @@ namespace phy {
 
 /// The index of the list.
 enum class Property {
-  E,                  ///< modulus of deformation [Pa]
-  nu,                 ///< apparent Poisson's ratio [-]
-  ucs,                ///< uniaxial compressive strength [Pa]
-  direct_tension,     ///< direct tensile strength [Pa]
-  brazilian,          ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
-  confined,           ///< strength under confining stress, sigma_1 at the peak [Pa]
-  crack_initiation,   ///< axial stress in the test of UCS at which crack volumetric strain begins [Pa]
-  fracture_toughness  ///< in mode I, of a semi-circular bend test [Pa sqrt(m)]
+  E,                   ///< modulus of deformation [Pa]
+  nu,                  ///< apparent Poisson's ratio [-]
+  ucs,                 ///< uniaxial compressive strength [Pa]
+  direct_tension,      ///< direct tensile strength [Pa]
+  brazilian,           ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
+  confined,            ///< strength under confining stress, sigma_1 at the peak [Pa]
+  crack_initiation,    ///< axial stress in the test of UCS at which crack volumetric strain begins [Pa]
+  fracture_toughness,  ///< in mode I, of a semi-circular bend test [Pa sqrt(m)]
+  point_load           ///< point load strength index I_s(50) [Pa]
 };
-constexpr int n_properties = 8;
+constexpr int n_properties = 9;
 
 /// What of a model a property judges: causes of a misfit are sought part by part.
 enum class Part { moduli, compression, tension, initiation, toughness };

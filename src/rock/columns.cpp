@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <tuple>
 #include <utility>
 
@@ -130,7 +131,9 @@ std::pair<std::string, std::string> split_head(const std::string& header) {
   const std::size_t open = title.find_last_of(opening), close = title.find_last_of(closings);
   if (open != title.npos && open > 0 && close == title.size() - 1 && close > open)
     if (const std::string inside = bare(title.substr(open + 1, close - open - 1));
-        (inside.find('/') != inside.npos || (inside.size() == 2 && is_ascii(inside))) &&
+        (inside.find('/') != inside.npos ||
+         (inside.size() == 2 && is_ascii(inside) &&
+          std::isdigit(static_cast<unsigned char>(inside.front())) == 0)) &&
         !is_name(key_of(inside)))
       return {bare(title.substr(0, open)), inside};
   return {title, ""};
