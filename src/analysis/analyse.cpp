@@ -38,6 +38,7 @@ std::vector<Number> common_numbers(const History& history, const LoadingBranch& 
 
 std::vector<Number> axial_numbers(const History& history, const LoadingBranch& branch,
                                   const std::vector<CrackEvent>& cracks, const AxialOptions& options) {
+  // The strength first: it is what people look for, and what notes are joined to.
   std::vector<Number> out = strength(branch);
   add(out, strength_rule(branch));
   add(out, elastic(branch, options, StrainFrom::gauge, ""));
@@ -52,6 +53,7 @@ std::vector<Number> axial_numbers(const History& history, const LoadingBranch& b
 
 std::vector<Number> with_reasons(std::vector<Number> numbers) {
   for (Number& n : numbers) {
+    // An infinite number is none either: JSON and CSV have no word for it.
     if (std::isfinite(n.value)) continue;
     n.value = nan;
     if (n.note.empty()) n.note = "the history holds no usable values for it";
@@ -66,6 +68,7 @@ void note_slowing(std::vector<Number>& numbers, const LoadingBranch& branch, dou
     return !rows.empty() && std::fabs(rows.front().axial_strain) <= to &&
            std::fabs(rows.back().axial_strain) >= from;
   };
+  // Ranges of stress are compared by their strains: the speed changed at a strain.
   const bool middle = passed(usual.tangent), start = passed(usual.small_strain);
   for (Number& n : numbers) {
     const bool tangent = n.name.starts_with("E_tangent") || n.name.starts_with("nu");

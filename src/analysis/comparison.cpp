@@ -24,6 +24,7 @@ Number first_crack(const LoadingBranch& branch) {
 }
 
 std::array<Number, 5> readings(const LoadingBranch& branch) {
+  // Strains of the platens: a curve from elsewhere has no gauge in our sense.
   const std::vector<Number> top = strength(branch);
   return {tangent_modulus(branch, tangent_range, StrainFrom::platen, "E tangent"),
           secant_modulus(branch, secant_level, StrainFrom::platen, "E secant"), first_crack(branch), top[0],
@@ -47,6 +48,7 @@ std::vector<ComparedNumber> compared_numbers(const History& ours, const History&
   const auto a = readings(loading_branch(ours, stop)), b = readings(loading_branch(theirs, stop));
   std::vector<ComparedNumber> numbers;
   for (std::size_t i = 0; i < shown.size(); ++i) {
+    // One sentence where both have the same reason.
     const std::string said = a[i].note == b[i].note ? a[i].note
                                                     : joined(a[i].note.empty() ? "" : "ours: " + a[i].note,
                                                              b[i].note.empty() ? "" : "theirs: " + b[i].note);

@@ -41,6 +41,7 @@ void fit(const LoadingBranch& branch, StressRange range, double HistoryRow::*x, 
   std::vector<double> xs, ys;
   for (const HistoryRow& r : first_passage(branch, range))
     if (std::isfinite(r.*x) && std::isfinite(r.*y)) xs.push_back(r.*x), ys.push_back(r.*y);
+  // A few rows lie on a line by chance, and E would be what it likes.
   if (xs.size() < enough_rows) {
     n.note = joined(n.note, start_of(branch) > range.hi
                                 ? fmt::format("no row between {} of it", range_text(range))
@@ -89,6 +90,7 @@ Number tangent_modulus(const LoadingBranch& branch, StressRange range, StrainFro
           branch.stress, place_of(branch, from), range_text(range), branch.strength, branch.turn()),
       ""};
   fit(branch, range, axial_strain_of(from), &HistoryRow::axial_stress, n);
+  // A gauge that lengthens under load sits beside a crack.
   if (n.value <= 0.0) n.value = nan, n.note = "the strain falls in this range: no modulus is read";
   return n;
 }
@@ -123,6 +125,7 @@ std::vector<Number> window_checks(const LoadingBranch& branch, const std::vector
   const auto rows = first_passage(branch, range);
   const std::size_t half = rows.size() / 2;
   area.value = 1.0 - nu_of(rows);
+  // Two halves that agree: nu is a property there and no passing value.
   if (half >= enough_rows)
     spread.value = 0.5 * std::fabs(nu_of(rows.subspan(half)) - nu_of(rows.first(half)));
   if (!rows.empty())
@@ -144,6 +147,7 @@ Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom f
       before = &r;
       continue;
     }
+    // The history begins above this level: there is nothing to interpolate from.
     if (before == nullptr) break;
     const double w = (level - before->axial_stress) / (r.axial_stress - before->axial_stress);
     const double at_level = before->*strain + w * (r.*strain - before->*strain);

@@ -93,6 +93,7 @@ Number peak_confirmed(const LoadingBranch& branch, const History& history) {
     if (std::isfinite(r.axial_stress)) least = std::min(least, r.axial_stress);
     if (std::isfinite(r.axial_strain)) farthest = std::max(farthest, r.axial_strain);
   }
+  // Either is enough: stiff rock falls at once, ductile rock only strains.
   n.value = std::max((1.0 - least / branch.largest) / 0.2, (farthest / branch.strain - 1.0) / 0.5);
   return n;
 }
@@ -105,6 +106,7 @@ double rise_time(const LoadingBranch& branch) {
   std::size_t half = rows.size() - 2;
   // The second half is loaded evenly in every test.
   while (half > 0 && rows[half - 1].axial_strain >= 0.5 * branch.strain) --half;
+  // Over half of the way and not two rows: rows are noisy.
   const HistoryRow &from = rows[half], &to = rows.back();
   return branch.strain * (to.time - from.time) / (to.axial_strain - from.axial_strain);
 }

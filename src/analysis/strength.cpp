@@ -44,6 +44,7 @@ std::string strength_text(const LoadingBranch& branch) {
         "largest {} up to the knee, where the tangent modulus over 10 % of the strain first falls "
         "below 5 % of the modulus before",
         branch.stress);
+  // The first of several peaks, by the rule of tests that may harden.
   if (branch.largest < branch.highest)
     return fmt::format("{} at the first peak, behind which it falls by 10 %", branch.stress);
   return fmt::format("largest {} of the test", branch.stress);

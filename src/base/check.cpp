@@ -44,6 +44,7 @@ std::vector<Problem> limited(const std::vector<Problem>& problems) {
   std::map<std::pair<std::string_view, std::string>, std::size_t> counts;
   std::vector<Problem> told;
   for (const Problem& p : problems)
+    // One wrong column repeats in every row of a table.
     if (++counts[{place_of(p).first, p.key}] <= most) told.push_back(p);
   for (const auto& [kind, n] : counts)
     if (n > most)

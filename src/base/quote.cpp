@@ -59,6 +59,7 @@ std::size_t utf8_length(std::string_view text) {
 bool is_plain(std::string_view text) {
   while (!text.empty()) {
     const std::size_t n = utf8_length(text);
+    // Bytes that are no UTF-8 break whatever shows them.
     if (n == 0 || is_control(text.substr(0, n))) return false;
     text.remove_prefix(n);
   }

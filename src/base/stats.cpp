@@ -36,6 +36,7 @@ Summary summarise(std::span<const double> values) {
   double squares = 0.0;
   for (const double v : values) squares += (v - s.mean) * (v - s.mean);
   s.sd = std::sqrt(squares / static_cast<double>(s.n - 1));
+  // Of the mean; with few values the normal quantile would be too narrow.
   s.half_width = student_t_95(s.n - 1) * s.sd / std::sqrt(static_cast<double>(s.n));
   return s;
 }

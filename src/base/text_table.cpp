@@ -11,6 +11,7 @@ constexpr std::size_t gap = 2;  // spaces between columns
 
 std::size_t width_of(const Columns& columns) {
   std::size_t width = 0;
+  // The last column has no gap behind it.
   for (const Column& c : columns) width += c.width() + gap;
   return width - gap;
 }

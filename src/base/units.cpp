@@ -137,6 +137,7 @@ std::string with_same_signs(std::string_view text) {
     }
     const auto sign = std::find_if(std::begin(same_signs), std::end(same_signs),
                                    [&](const auto& s) { return text.starts_with(s.first); });
+    // A byte of a character that has no other sign.
     if (sign == std::end(same_signs)) {
       out += text.front(), text.remove_prefix(1);
       continue;
@@ -215,6 +216,7 @@ std::optional<ScaledUnit> scaled_unit(std::string_view text) {
   // "psi x 10^6": the factor may stand behind, too.
   if (const std::size_t times = rest.find_last_of("xX*"); power == 0 && times != rest.npos && times > 0) {
     std::string_view behind = rest.substr(times);
+    // Only a power stands behind, and nothing after it.
     if (power = take_power(behind); power != 0 && trimmed(behind).empty())
       rest = rest.substr(0, times);
     else
@@ -295,6 +297,7 @@ std::string likely_unit(double number, double usual, Dimension dimension) {
   };
   const Unit* nearest = nullptr;
   for (const Unit& u : units) {
+    // Foreign units are read and never proposed.
     if (u.dimension != dimension || u.least < 0.0) continue;
     if (u.name == plain && farness(u) <= far) return plain;
     if (nearest == nullptr || farness(u) < farness(*nearest)) nearest = &u;

@@ -32,6 +32,7 @@ const SpecimenRecord& the_test(const RunRecord& run, const std::string& folder) 
                 fmt::format("name its folder, {}/{}", folder,
                             std::filesystem::path(io::result_folders(folder).front()).filename().string())});
   const SpecimenRecord& test = run.tests.front();
+  // Curves of other tests have other axes.
   if (test.recipe.test.kind != TestKind())
     throw InputError(Problem{folder, "test.kind", test.recipe.test.kind->name, "uniaxial",
                              "curves of other tests are not compared"});
@@ -78,6 +79,7 @@ void draw(const CompareArguments& args, const History& ours, const History& thei
 
 int compare(const CompareArguments& args, const Session& session) {
   const int width = session.terminal_width;
+  // Wrong names are found before anything is read.
   if (!args.figure.empty()) format_of(args);
   const rock::ForeignCurve theirs = rock::read_curve(args.theirs);
   const RunRecord run = io::read_run(args.folder);

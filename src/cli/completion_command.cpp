@@ -105,6 +105,7 @@ Words words_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   if (const std::size_t set = type.find(":{"); set != type.npos) return listed(type.substr(set + 1));
   try {
+    // The library has no const way to ask for a validator.
     CLI::Validator words = *const_cast<CLI::Option&>(option).get_validator("suggested");
     return listed(words.active().get_description());
   } catch (const CLI::OptionNotFound&) {
@@ -164,6 +165,7 @@ const CLI::Option* argument_at(const Place& place) {
   std::size_t n = place.n_arguments;
   for (const CLI::Option* option :
        place.verb->get_options([](const CLI::Option* o) { return o->get_positional(); })) {
+    // One that takes many words takes all that follow.
     if (option->get_expected_max() > 1 || n == 0) return option;
     --n;
   }

@@ -74,6 +74,7 @@ void contact(const ContactArguments& args, int width) {
   const std::vector<double> v = jobs::parameters_of(law, args.values, problems);
   std::vector<ContactPoint> corners;
   for (const std::string& text : args.corners) corners.push_back(jobs::read_corner(text, problems));
+  // All problems of the command line at once.
   if (!args.path.empty()) corners = jobs::read_path(args.path, problems);
   if (!problems.empty()) throw InputError(problems);
   if (corners.empty()) corners = jobs::default_path();
@@ -81,12 +82,14 @@ void contact(const ContactArguments& args, int width) {
   const auto bench = lab::bench_contact(law.name, v);
   const std::vector<lab::BenchRow> rows = lab::drive(*bench, corners, args.steps);
   const std::vector<ContactForces> exact = verification::witness(law.name, v, corners, args.steps);
+  // A law without its witness would print half a table.
   PHY_CHECK(exact.size() == rows.size(), "every law of the list has a closed form");
   const std::string text = table(rows, exact);
   if (args.out.empty())
     write_out(text);
   else
     io::write_output(args.out, text);
+  // The table goes to standard output, the summary beside it to standard error: in this order.
   flush_out();
   write_err(summary(rows, exact));
 }

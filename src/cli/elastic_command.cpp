@@ -101,6 +101,7 @@ void print_missing(const std::vector<study::NamedFit>& fits, int width) {
 
 void print_fits(const study::ElasticStudy& study, bool modulus_loss, int width) {
   if (study.recipe.bedding.empty() || study.n_angles() == 0) return;
+  // Eq. 1 is that of joints in isotropic rock: anything else it would fit with meaningless numbers.
   if (!jointed_isotropic(study.recipe)) {
     print_wrapped(width, 0, "\nno macro joint stiffness by Eq. 1: {}\n", no_weak_planes(study.recipe));
     return;
@@ -141,6 +142,7 @@ void print_fits(const study::ElasticStudy& study, bool modulus_loss, int width) 
 /// Parameters down, specimens across; the intact specimen has no joints, and so a shorter list.
 void print_sensitivities(const study::ElasticStudy& study, int width) {
   const std::vector<ElasticResult>& results = study.one_sided;
+  // Rows are those of the specimen with most parameters.
   const auto longest = std::max_element(results.begin(), results.end(), [](const auto& a, const auto& b) {
     return a.sensitivities.size() < b.sensitivities.size();
   });
@@ -228,6 +230,7 @@ Columns press_columns(const study::ElasticStudy& study, const char* head,
 /// ended.
 bool print_press(const study::ElasticStudy& study, const study::MachineOptions& machine, int width) {
   const auto held = study::press_moduli(study.specimens, study.recipe, machine, true);
+  // The same specimens twice: what differs is slip and cracking alone.
   const auto free = study::press_moduli(study.specimens, study.recipe, machine, false);
   const Columns slip = {
       column("cracks", "", free.size(), [&](std::size_t i) { return std::to_string(free[i].n_cracks); }),

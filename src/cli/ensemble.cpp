@@ -37,11 +37,13 @@ std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
   std::vector<Recipe> draws;
   for (std::string file; fs::exists(file = jobs::ensemble_file(folder, draws.size()));) {
     draws.push_back(io::read_recipe(file));
+    // The draws differ in the rock alone: test and engine are those of the file that was named.
     draws.back().test = recipe.test, draws.back().engine = recipe.engine;
     draws.back().test.n_snapshots = draws.back().test.n_frames = 0;  // the store keeps no pictures
   }
   std::size_t n_files = 0;
   std::error_code none;
+  // A gap in the numbers ends the loop above: files beyond it would be left out unseen.
   for (const auto& entry :
        fs::directory_iterator(fs::path(jobs::ensemble_file(folder, 0)).parent_path(), none))
     n_files += entry.path().extension() == ".toml" ? 1 : 0;
@@ -91,6 +93,7 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   calibrate::SimulatorOptions machine;
   machine.threads = n_threads(session), machine.stop = stop_on_interrupt();
   machine.with_untrusted = args.with_untrusted;
+  // Kept in a store: hours of tests survive a stop.
   machine.store = (fs::path(args.out) / "runs.sqlite").string();
   ProgressLine line;
   machine.on_progress = [&](const calibrate::TestProgress& p) {
@@ -104,6 +107,7 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   std::vector<TestResult> results = simulator->test(recipes);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     jobs[i].result = std::move(results[i]);
+    // What reads the result asks its kind for columns and strength.
     jobs[i].result.kind = recipes[i].test.kind;  // the store does not say it
   }
   line.finish();
@@ -157,6 +161,7 @@ std::string tests_csv(const std::vector<Job>& jobs) {
 /// The bands of one number; nothing where no test has it.
 void print_bands(const std::vector<study::Band>& all, const TableColumn& c, int width) {
   std::vector<study::Band> bands;
+  // A table for every number.
   std::copy_if(all.begin(), all.end(), std::back_inserter(bands),
                [&](const study::Band& b) { return b.number == c.number; });
   if (bands.empty()) return;

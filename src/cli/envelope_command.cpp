@@ -96,6 +96,7 @@ void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& e
     Column c{fmt::format("{:g}", tests.confining[i] * 1e-6), "", {}};
     for (const TestResult& r : tests.results[i]) {
       const Number* n = has_strength(r.outcome.status) ? analysis::find(r.numbers, "sigma_1") : nullptr;
+      // A test that has not peaked has a largest stress, which is no strength.
       const bool known = n != nullptr && std::isfinite(n->value);
       const bool knee = known && r.outcome.status == Status::knee;
       knees = knees || knee;
@@ -218,6 +219,7 @@ study::EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>&
                              const study::MachineOptions& machine) {
   study::EnvelopeTests tests{confining, {}};
   ProgressLine line;
+  // One line of progress over all stresses: each run counts its own from zero.
   study::Progress before{0, confining.size() * specimens.size(), 0.0};
   for (const double sigma_3 : confining) {
     study::Progress now;
@@ -265,6 +267,7 @@ std::vector<std::shared_ptr<const Specimen>> specimens_of(const Recipe& recipe) 
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (Specimen& s : genesis::make_specimens(packing, recipe))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+  // All have the contacts of one packing.
   lab::check_load_path(*specimens.front(), recipe);
   return specimens;
 }

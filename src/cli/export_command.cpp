@@ -46,6 +46,7 @@ struct File {
 std::vector<File> files_of(const Wanted& w, const ExportArguments& args, int width) {
   const auto packing = genesis::packing_of(w.recipe, genesis::default_cache_folder(),
                                            [stop = stop_on_interrupt()] { return stop->load(); });
+  // The cache may be gone and the version another: other discs are another specimen.
   if (!w.packing_hash.empty() && packing->hash != w.packing_hash)
     throw InputError(Problem{args.what, "packing", packing->hash,
                              w.packing_hash + ", the discs of the result",
@@ -78,6 +79,7 @@ void export_pfc2d(const ExportArguments& args, const Session& session) {
       names.push_back(f.path);
       files.push_back(std::move(f));
     }
+  // All names are known before the first file is written.
   io::check_outputs(names);
   for (const File& f : files) io::write_output(f.path, f.content);
   for (const std::string& name : names) print_out("{}\n", name);

@@ -70,6 +70,7 @@ RunRecord specimens_of(const std::string& folder) {
 }
 
 report::FigureData data_for(const report::FigureKind& kind, const Held& held, const FigureArguments& args) {
+  // Figures of a study need parameters that vary, all others specimens.
   if (kind.varied != held.variation)
     throw InputError(Problem{"command line", "--kind", args.kind,
                              fmt::format("one of {}", fmt::join(names_of_kinds(held.variation, false), ", ")),
@@ -95,6 +96,7 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
 std::string format_of(const FigureArguments& args) {
   std::string ending = std::filesystem::path(args.out).extension().string();
   if (!ending.empty()) ending.erase(0, 1);
+  // A name that ends otherwise, or has no ending, says nothing of the format.
   if (!report::figure_formats().contains(ending)) return args.format.empty() ? "svg" : args.format;
   if (!args.format.empty() && args.format != ending)
     throw InputError(Problem{"command line", "--format", args.format, ending + ", as --out " + args.out,
@@ -116,6 +118,7 @@ int draw(FigureArguments args) {
     throw InputError(Problem{"command line", "--out", args.out, "a name in UTF-8 without control characters",
                              "gnuplot has no way to write others"});
   const report::FigureData data = data_for(kind, held, args);
+  // Where the user stands and not in the folder of results, which is left as it was.
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
   make_file_or_stop(args.out, [&](const std::string& temporary) {
     const std::string script =

@@ -27,6 +27,7 @@ int make_film(const FilmArguments& args) {
   make_file_or_stop(args.out, [&](const std::string& temporary) {
     io::run_program("ffmpeg", film.encoder_arguments(temporary), "ffmpeg", [&](const auto& write) {
       for (int i = 0; i < film.n_frames(); ++i) {
+        // Between frames: the encoder is ended with its input.
         if (*stop) throw IoError("stopped");
         write(film.frame(i).rgb());
       }

@@ -16,6 +16,7 @@ std::atomic<bool> stop_requested{false};
 /// The second one ends the program, as it would have without this. Not SIGHUP: of a terminal that closes,
 /// kernel and shell both tell.
 void on_signal(int signal) {
+  // Only flags and signals here: nothing else is allowed in a handler.
   if (!stop_requested.exchange(true) || signal == SIGHUP) return;
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -47,6 +48,7 @@ std::string speed_words(const TestRecipe& test) {
 study::MachineOptions machine_of(const Session& session) { return jobs::machine_of(session.threads); }
 
 const std::atomic<bool>* stop_on_interrupt() {
+  // Not at the start: until input has been read a signal should simply end the program.
   static const bool once = catch_signals();
   static_cast<void>(once);
   return &stop_requested;

@@ -49,6 +49,7 @@ Names options_of(const CLI::App& app) {
 phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e) {
   const CLI::App* of = &app;
   std::string name = app.get_name();
+  // The verb that was typed last is the one whose help is of use.
   while (!of->get_subcommands().empty()) {
     of = of->get_subcommands().front();
     name += " " + of->get_name();
@@ -61,6 +62,7 @@ phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e
     if (word.starts_with("-"))
       problems.push_back(
           {"command line", "option", word, "an option of " + name, hint(word, options_of(*of), help)});
+  // Unknown options first: what follows one is mostly its value, and no word of its own.
   if (!problems.empty()) return phy::InputError(problems);
   if (!verbs.empty() && (!lost.empty() || of->get_require_subcommand_min() > 0)) {
     const std::string word = lost.empty() ? "" : lost.front();
@@ -104,6 +106,7 @@ int run(int argc, char** argv) {
       "--licences",
       [] {
         const std::string_view text = phy::embedded("packaging/copyright");
+        // The parser prints it and ends as for --version: with 0, before any verb is asked for.
         throw CLI::CallForVersion(std::string(text.substr(0, text.rfind('\n'))),
                                   0);  // it ends the line itself
       },
@@ -112,6 +115,7 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.require_subcommand(1);
+  // --threads may stand behind the verb, too.
   app.fallthrough();
   for (const auto add : verbs) add(app, session);
   refuse_empty_names(app);
@@ -122,6 +126,7 @@ int run(int argc, char** argv) {
     app.exit(e);  // --help, --version
     std::cout.flush();
   }
+  // A pipe that was closed or a full disk: what was to be kept is in files already.
   if (const int error = phy::cli::lost_output(); error != 0) {
     phy::cli::write_err(fmt::format("standard output cannot be written: {}\n", std::strerror(error)));
     return 3;
@@ -152,6 +157,7 @@ int main(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& e) {
     return say(3, "", phy::terminal_text(phy::jobs::in_words(e)).c_str());
   } catch (const std::system_error& e) {
+    // Threads, mostly: the system has no more of them.
     return say(3, "system: ", e.what());
   } catch (const std::exception& e) {
     return say(4, phy::jobs::internal, e.what());

@@ -28,6 +28,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 std::string literal(const std::string& text) {
   std::string out;
   for (const char c : text)
+    // roff would set a hyphen and curly quotes, which nobody can paste into a shell.
     out += c == '\\'   ? "\\e"
            : c == '-'  ? "\\-"
            : c == '\'' ? "\\(aq"

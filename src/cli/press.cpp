@@ -33,12 +33,14 @@ std::vector<TestResult> press(const Recipe& recipe,
                               const std::string& folder, const study::MachineOptions& machine) {
   ProgressLine line;
   LivePlot plot(curves_of(specimens));
+  // The line of progress stays the last one of the terminal.
   line.draw_above([&] { return plot.lines(); });
   study::ScheduleHooks hooks;
   hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
   hooks.stop = stop_on_interrupt();
   hooks.on_progress = [&](const study::Progress& p) { line.update(p); };
   hooks.on_result = [&](std::size_t i, const TestResult& result) {
+    // An interrupted test would stand beside finished ones as if it were a result.
     if (result.outcome.status == Status::interrupted) return;
     io::write_result((std::filesystem::path(folder) / io::folder_name(result.name)).string(), recipe,
                      PHY_VERSION, *specimens[i], result);

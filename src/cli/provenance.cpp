@@ -14,6 +14,7 @@ constexpr const char* this_program = "phyllite " PHY_VERSION;
 
 /// `programs`: how many results each has made. Nothing where all are of this one.
 void tell_others(std::map<std::string, std::size_t> programs, int terminal_width) {
+  // Only what differs is worth a line.
   programs.erase(this_program);
   for (const auto& [program, n] : programs)
     print_wrapped(terminal_width, 2,

@@ -130,6 +130,7 @@ std::vector<Stored> read_all(const ReplayArguments& args, int width, int& code) 
 /// Holds what was run again against what is stored, and writes it where that is wanted.
 void compare(Stored& s, const study::PlannedTest& test, const TestResult& now, const std::string& out) {
   const bool was_made = !now.snapshots.empty();
+  // A direct solution has no snapshots: there is no specimen to write.
   if (was_made && (!s.packing_hash.empty() || !out.empty())) {
     const auto specimen = study::specimen_of(study::packing_of(s.single), s.single);
     if (const std::string& hash = specimen->packing->hash; !s.packing_hash.empty() && s.packing_hash != hash)
@@ -152,6 +153,7 @@ void run_again(const std::vector<Stored*>& tests, bool direct, const ReplayArgum
   std::vector<Recipe> singles;
   for (const Stored* s : tests) singles.push_back(s->single);
   study::Plan plan = study::plan_of(singles);
+  // One plan holds one solver.
   plan.study.solver = direct ? study::Solver::direct : study::Solver::dynamic;
   std::size_t n_done = 0;
   study::run_again(
@@ -208,6 +210,7 @@ void check_out(const std::string& out) {
   if (fs::exists(out, none) && !io::list_folder(out).empty())
     throw InputError(Problem{"command line", "--out", out, "a folder that is empty or not there",
                              "what is stored stays beside what is run again"});
+  // As for any result that may be put below it.
   io::check_result_place((fs::path(out) / "any").string());
 }
 

@@ -85,6 +85,7 @@ void print_bedding(const Specimen& s, int width) {
 /// Discs that found room without pressing on each other: where they meet is chance, not a packing.
 void tell_loose_packing(const Packing& p, const Recipe& recipe, int width) {
   const bool made = recipe.packing.file.empty() && p.stress_free;
+  // Imported discs are as somebody wanted them.
   if (!made || p.report.mean_overlap > least_overlap) return;
   print_wrapped(
       width, 10,
@@ -100,11 +101,13 @@ struct Made {
 Made make_all(const Recipe& recipe, bool no_cache, int width) {
   const auto start = Clock::now();
   const fs::path folder = no_cache ? "" : genesis::default_cache_folder();
+  // Asked before: afterwards it is there in either case.
   const bool cached = genesis::is_cached(recipe, folder);
   Made made;
   made.packing = genesis::packing_of(recipe, folder, [stop = stop_on_interrupt()] { return stop->load(); });
   const double seconds = seconds_since(start);
   print_packing(*made.packing, seconds, cached, width);
+  // Still not there: the cache cannot be written, and each run would make the packing again.
   if (recipe.packing.file.empty() && !folder.empty() && !genesis::is_cached(recipe, folder)) {
     const std::string key = genesis::packing_key(recipe.specimen, recipe.packing, recipe.matrix);
     print_wrapped(width, 10, "          it is not kept for the next run: {} cannot be written\n",
@@ -143,6 +146,7 @@ std::optional<Problem> lanes_problem(const RecipeRun& job, int lanes) {
   const engine::Isa isa = engine::native_isa();
   const Precision precision = job.recipe.engine.precision;
   const std::vector<int> some = engine::lanes_of(precision, isa);
+  // Registers hold as many numbers as their width divided by the precision: few counts are possible.
   if (lanes == 0 || std::find(some.begin(), some.end(), lanes) != some.end()) return std::nullopt;
   return Problem{"command line", "--lanes", std::to_string(lanes),
                  fmt::format("{}: what {} registers hold in {} precision, which {} asks for",
@@ -161,6 +165,7 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
     const bool several = args.recipes.size() > 1;
     const std::string folder = several ? (fs::path(args.out) / fs::path(path).stem()).string() : args.out;
     for (const RecipeRun& other : jobs)
+      // Folders are named after files: a/x.toml and b/x.toml would share one.
       if (other.folder == folder)
         problems.push_back({"command line", "recipe", path, "another file name than " + other.path,
                             "both would write into " + folder + ": run them one by one, with an --out each"});
@@ -188,6 +193,7 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
                        [&](const TestResult& r) { return wanted(r.outcome.status); });
   };
   const bool any = has([](Status s) { return s != Status::interrupted; });
+  // First to disk: printing may fail.
   if (any) jobs::write_run_report(job.folder, results);
   print_out("\n{}\n", report::press_table(results, width));
   const std::string trouble = report::outcome_lines(results);
@@ -218,6 +224,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   flush_out();
   if (args.replace)
+    // Only now: an input that cannot be used must not cost the older results.
     for (const auto& [other, differences] : jobs::results_of_others(job.folder, job.recipe))
       io::remove_folder(other);
   return finish(job, press(job.recipe, made.specimens, job.folder, machine), start, width);
@@ -244,6 +251,7 @@ void add_run_command(CLI::App& app, Session& session) {
                                         "the test of calibrated.toml on every draw of the calibration, and "
                                         "the band of all (docs/calibration.md)");
   for (const char* other : {"--lanes", "--skew", "--replace", "--no-cache"})
+    // Draws run in a study's way, which chooses lanes and keeps packings by itself.
     ensemble->excludes(run->get_option(other));
   run->add_flag("--with-untrusted", args->with_untrusted,
                 "count tests that have a strength but are not to be trusted (docs/reliability.md)")

@@ -21,6 +21,7 @@ double seconds_per_cost(const study::Plan& plan, const study::StudyRows& rows) {
   double seconds = 0.0, cost = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i]) seconds += rows[i]->result.seconds, cost += plan.tests[i].cost;
+  // What has run on this machine says more of its speed than any table.
   return cost > 0.0 ? seconds / cost : study::usual_seconds_per_cost(plan.study.base.engine.precision);
 }
 

@@ -60,6 +60,7 @@ std::string to_text(const std::string& key, const Packing& p) {
   std::string text = std::string(first_line) + "\n" + key + "\n";
   text += hex(p.width) + " " + hex(p.height) + " " + (p.stress_free ? "1" : "0") + " " + p.hash + "\n";
   PackingReport report = p.report;
+  // Hexadecimal: decimal digits would have to be read back to the same bits.
   for (const double* number : numbers_of(report)) text += hex(*number) + " ";
   text += std::to_string(report.n_rattlers) + "\n" + std::to_string(p.discs.size()) + "\n";
   for (const Disc& d : p.discs) text += hex(d.x) + " " + hex(d.y) + " " + hex(d.r) + "\n";

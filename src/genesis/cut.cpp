@@ -30,6 +30,7 @@ Packing cut_disc(const Packing& packing, double diameter) {
   Packing disc = packing;
   // Whole grains, by their centres: the rim is as rough as the rock is coarse.
   std::erase_if(disc.discs, [&](const Disc& d) { return norm(Vec2{d.x, d.y} - centre) > 0.5 * diameter; });
+  // Grains at the rim reach beyond it by a radius.
   disc.width = disc.height = diameter + 2.0 * largest_radius(disc);
   move_by(disc, Vec2{0.5 * disc.width, 0.5 * disc.height} - centre);
   return disc;

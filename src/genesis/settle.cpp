@@ -39,6 +39,7 @@ class Fire {
       : box_(box), discs_(discs), force_(discs.size()), velocity_(discs.size()) {
     double r = 0.0;
     for (const Disc& d : discs_) r += d.r;
+    // In mean radii: pairs are looked for once in many steps.
     skin_ = skin_over_radius * r / static_cast<double>(discs_.size());
     find_pairs();
   }
@@ -68,6 +69,7 @@ class Fire {
   };
 
   void find_pairs() {
+    // By pfc5 unequal discs are softer, and come to rest elsewhere.
     const bool pfc5 = box_.stiffness == StiffnessConvention::pfc5;
     springs_.clear();
     for (const Pair& p : near_pairs(discs_, skin_))

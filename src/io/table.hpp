@@ -7,31 +7,12 @@
 // begin with # are comments; empty lines are skipped. Workbooks (.xlsx, io/workbook.hpp) and AGS 4 files
 // (io/ags.hpp) are tables too; where the header stands, io/table_layout.hpp finds for all of them.
 #pragma once
-#include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
+#include "io/table_rows.hpp"
 
 namespace phy::io {
-
-constexpr std::size_t most_table_columns = 256;  ///< of text and of sheets
-
-struct TableRow {
-  int line = 0;                       ///< in the file, from 1
-  std::vector<std::string> cells;     ///< without quotes and outer blanks; decimal points
-  std::set<std::size_t> merged = {};  ///< cells that are one with that of the row above
-};
-
-struct Table {
-  std::string where;  ///< for messages: the file, of a workbook with its sheet
-  int header_line = 0;
-  std::vector<std::string> header;
-  std::vector<TableRow> rows;      ///< every row as long as the header
-  std::vector<std::string> notes;  ///< how the text was understood
-  std::vector<Problem> problems;   ///< everything that could not be; the rest was read nevertheless
-};
 
 /// A table as editors and spreadsheets save it: without the byte-order mark of UTF-8, and where lines end as
 /// on old Macs (CR alone) with line breaks.

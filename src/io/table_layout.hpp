@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "io/table.hpp"
+#include "io/table_rows.hpp"
 
 namespace phy::io {
 

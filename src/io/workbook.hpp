@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/table.hpp"
+#include "io/table_rows.hpp"
 
 namespace phy::io {
 

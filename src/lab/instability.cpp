@@ -50,6 +50,7 @@ class Suspects {
     found_.push_back(fmt::vformat(format, fmt::make_format_args(values...)));
   }
   void overlaps() {
+    // Stress-free overlaps carry no force, however deep.
     if (packing_.stress_free || packing_.report.mean_overlap < deep) return;
     add("{}: discs overlap by {:.2g} of their radius at the start, and push each other",
         recipe_.packing.file.empty()
@@ -73,6 +74,7 @@ class Suspects {
                         (approaching ? test.approach_speed : test.platen_speed);
     const double strength = std::min(matrix_.sigma_c, matrix_.tau_c);
     const double moving = last.boundary_work > 0.0 ? last.kinetic / last.boundary_work : 0.0;
+    // rho c v, doubled where it is reflected.
     if (wave > shattering * strength)
       add("lower test.{}: the wave that it sends in carries {:.2g} MPa, and the bonds bear {:.2g}", key,
           wave * 1e-6, strength * 1e-6);

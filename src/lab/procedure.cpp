@@ -246,6 +246,7 @@ bool Procedure::check_stop() {
                fmt::format("peak {} {:.2f} MPa at {}, stopped at {:.0f} % of it", stress, peak_.stress * 1e-6,
                            extent(peak_.strain, 4), recipe_.test.stop_at * 100.0),
                "");
+  // Ductile rock may never fall to stop_at: enough strain without a new peak ends its test.
   if (may_stop && recipe_.test.post_peak > 0.0 && now.strain > (1.0 + recipe_.test.post_peak) * peak_.strain)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at {}, at {:.0f} % of it when stopped at {:.4f} %", stress,
@@ -290,6 +291,7 @@ bool Procedure::end_without_peak(const Reading& now) {
 /// The stress fell, and bonds did not break: grains slide, or what carried the load has come loose.
 bool Procedure::end_without_cracks(const std::string& what) {
   const HistoryRow& last = result_.history.rows.back();
+  // Friction between loose grains also makes a largest stress.
   if (last.slip > sliding * last.boundary_work)
     return end(Status::not_peaked,
                fmt::format("{}: grains slide past each other, which took {:.0f} % of the work; the largest "
@@ -322,6 +324,7 @@ void Procedure::keep_pictures() {
 }
 
 void Procedure::interrupt() {
+  // Called for all tests of a group, also those that are done.
   if (phase_ != Phase::over)
     end(Status::interrupted, fmt::format("stopped by the user at {}", extent(reading(row_).strain, 4)),
         "run the same recipe again");
@@ -358,6 +361,7 @@ void Procedure::accept_strength() {
   const std::string end = extent(reading(rows.back()).strain, 3);
   const std::string later = highest > stress ? fmt::format(" and rises to {:.2f} MPa", highest * 1e-6) : "";
   if (rule == static_cast<double>(analysis::StrengthRule::peak)) {
+    // A later quality mark says whether the fall was as deep as the recipe asks.
     note_fall(strain, stress);
     outcome = {
         Status::peaked,
@@ -406,6 +410,7 @@ void Procedure::read_numbers() {
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   note_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
+  // The worst mark comes first.
   if (marks.empty() || !marks.front().ends_test()) return;
   // These have a worse name already.
   if (outcome.status == Status::unstable || outcome.status == Status::interrupted) return;

@@ -57,6 +57,7 @@ TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Reci
   options.interval = static_cast<int>(recipe.test.history_interval);
   options.inertia = recipe.engine.grain_inertia;
   options.contacts = &engine::physics_of(specimen->matrix, specimen->bedding);
+  // A group of one lane: the same code as in a study, and the same bits.
   const auto group = engine::make_group(specimen->packing, options);
   const auto test = make_test(specimen, recipe, *group, 0);
   do group->advance();

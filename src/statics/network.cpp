@@ -65,6 +65,7 @@ Network make_network(const Specimen& specimen, Vec2 period, const contact::Model
   net.n_contacts = specimen.contacts.size();
   double radii = 0.0;
   for (const Disc& d : specimen.packing->discs) net.x.push_back({d.x, d.y}), radii += d.r;
+  // The mean radius: what compares rotations with displacements.
   if (net.n_grains > 0) net.length = radii / static_cast<double>(net.n_grains);
   net.links.reserve(specimen.contacts.size());
   for (const Contact& c : specimen.contacts) net.links.push_back(link_of(specimen, c, period, models));

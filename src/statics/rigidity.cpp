@@ -22,6 +22,7 @@ struct Hold {
 /// ratio of a grain to the specimen, 1e-3; rounding leaves 1e-14.
 bool leaves_no_motion(std::vector<Row> rows) {
   constexpr double tiny = 1e-8;
+  // Three rigid motions in the plane need three independent rows.
   for (int rank = 0; rank < 3; ++rank) {
     const auto size = [](const Row& r) { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; };
     const auto big = std::max_element(rows.begin(), rows.end(),

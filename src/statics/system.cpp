@@ -138,6 +138,7 @@ bool StiffnessSystem::fits(const Network& net, const std::vector<Freedom>& presc
   const auto same = [](const Freedom& a, const Freedom& b) {
     return a.body == b.body && a.component == b.component;
   };
+  // Prescribed movements decide which equations there are.
   if (!std::equal(prescribed.begin(), prescribed.end(), prescribed_.begin(), prescribed_.end(), same))
     return false;
   for (std::size_t i = 0; i < net.links.size(); ++i)
@@ -183,6 +184,7 @@ Movements StiffnessSystem::solve(const std::vector<double>& f) const {
   std::vector<double> x(diagonal_.size());
   for (std::size_t i = 0; i < equation_.size(); ++i)
     if (equation_[i] >= 0) x[static_cast<std::size_t>(equation_[i])] = f[i];
+  // In place: load in, movement out.
   factor_.solve(x);
   Movements u(equation_.size(), 0.0);
   for (std::size_t i = 0; i < equation_.size(); ++i)

@@ -62,6 +62,7 @@ ElasticOutcome check_load_path(const Network& net, const std::vector<laws::Tange
     if (part[i] == part[bottom]) low.push_back(i);
     if (part[i] == part[top]) high.push_back(i);
   }
+  // The smaller lot is what has come off.
   const bool upper = high.size() <= low.size();
   std::vector<std::uint32_t>& lot = upper ? high : low;
   const std::string reason =
@@ -122,6 +123,7 @@ bool UniaxialStatics::step(ElasticResult& result, Reading& reading) {
   read(reading);
   // A load that meets a mechanism moves it until the weak springs hold it.
   const bool carried = reading.force > 0.0 && system_->ground_share(u_, reading.force) < worst_ground_share;
+  // A specimen that lengthens under load has no gauge worth reading.
   if (carried && reading.axial > 0.0) return true;
   if (carried) {
     result.outcome = {ElasticStatus::no_gauge,
@@ -257,6 +259,7 @@ void UniaxialStatics::finish(ElasticResult& result, const Reading& reading, cons
   for (std::uint32_t i = 0; i < network_.n_grains; ++i)
     if (system_->loose()[i]) loose.push_back(i);
   result.n_loose = static_cast<std::int64_t>(loose.size());
+  // No failure: rattlers carry nothing in a press either.
   if (!loose.empty() && result.outcome.ok()) {
     result.outcome.reason = std::to_string(loose.size()) + " grains carry no load: " + listed(loose);
     result.outcome.grains = std::move(loose);

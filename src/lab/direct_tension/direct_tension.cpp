@@ -21,6 +21,7 @@ double grip_thickness(const Recipe& recipe, const Packing& packing) {
 TestBoundary grips(const Packing& packing, double thickness) {
   TestBoundary pull;
   engine::Boundary& boundary = pull.boundary;
+  // No walls: a grip takes hold of whole grains.
   boundary.bodies = {{"bottom grip", {}, {}, false}, {"top grip", {}, {}, false}};
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const double y = packing.discs[i].y;
