@@ -2,7 +2,11 @@
 // tested.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
+#include <sstream>
+#include <string>
 
 #include "report/words.hpp"
 
@@ -10,6 +14,46 @@ namespace phy::report {
 namespace {
 
 using Kind = FindingKind;
+
+/// A finding that has all that any kind may ask for: two cells, every number once for each.
+Finding with_everything(Kind kind) {
+  Finding f{kind, {{Property::E, 0.0, 0.0}, {Property::E, 90.0, 5e6}}, {}, {"E", "UCS"}};
+  for (const char* name :
+       {"value",    "least",     "most",       "ratio",     "from",         "to",           "laboratory",
+        "envelope", "factor",    "line",       "share",     "mean",         "others",       "t",
+        "chance",   "off",       "errors",     "from_load", "exchanged",    "as_read",      "complement",
+        "E",        "K_n_delta", "K_s_delta",  "se_E",      "se_K_n_delta", "se_K_s_delta", "R2",
+        "spacing",  "least_E",   "theta",      "c_w",       "phi_w",        "shoulders",    "rms",
+        "of",       "wanted",    "chi_square", "limit",     "change",       "grains",       "radius",
+        "fewest"})
+    f.numbers.insert(f.numbers.end(), {{name, 1.0}, {name, 1.0}});
+  return f;
+}
+
+/// The largest number of words in one sentence of a text; numbers and signs are none.
+int longest_sentence(std::string text) {
+  for (std::size_t at = 0; (at = text.find("Eq. ", at)) != text.npos;) text.erase(at + 2, 1);
+  int words = 0, most = 0;
+  std::istringstream parts(text);
+  for (std::string part; parts >> part;) {
+    words +=
+        std::any_of(part.begin(), part.end(), [](unsigned char c) { return std::isalpha(c) != 0; }) ? 1 : 0;
+    most = std::max(most, words);
+    if (part.ends_with('.') || part.ends_with('?') || part.ends_with(';')) words = 0;
+  }
+  return most;
+}
+
+TEST(WordsOfTable, EveryKindHasItsSentencesOf25WordsAtMost) {
+  for (int i = static_cast<int>(Kind::unusual_value); i <= static_cast<int>(Kind::coarse_half_disc); ++i)
+    for (const Advice advice :
+         {Advice::none, Advice::check_envelope, Advice::rows_of_their_own, Advice::check_nu}) {
+      Finding f = with_everything(static_cast<Kind>(i));
+      f.advice = advice;
+      EXPECT_FALSE(sentence(f).empty());
+      EXPECT_LE(longest_sentence(sentence(f)), 25) << sentence(f);
+    }
+}
 
 TEST(WordsOfTable, AUnitIsDoubtedWithTheValuesAndWhatIsUsual) {
   const Finding f{Kind::unusual_value,
