@@ -19,14 +19,14 @@ using Kind = FindingKind;
 Finding with_everything(Kind kind) {
   Finding f{kind, {{Property::E, 0.0, 0.0}, {Property::E, 90.0, 5e6}}, {}, {"E", "UCS"}};
   for (const char* name :
-       {"value",    "least",     "most",       "ratio",     "from",         "to",           "laboratory",
-        "envelope", "factor",    "line",       "share",     "mean",         "others",       "t",
-        "chance",   "off",       "errors",     "from_load", "exchanged",    "as_read",      "complement",
-        "E",        "K_n_delta", "K_s_delta",  "se_E",      "se_K_n_delta", "se_K_s_delta", "R2",
-        "spacing",  "least_E",   "theta",      "c_w",       "phi_w",        "shoulders",    "rms",
-        "of",       "wanted",    "chi_square", "limit",     "change",       "grains",       "radius",
-        "fewest"})
+       {"value",     "least",      "most",      "from",         "to",           "laboratory", "envelope",
+        "factor",    "line",       "share",     "mean",         "others",       "t",          "chance",
+        "off",       "errors",     "from_load", "exchanged",    "as_read",      "complement", "E",
+        "K_n_delta", "K_s_delta",  "se_E",      "se_K_n_delta", "se_K_s_delta", "R2",         "spacing",
+        "least_E",   "theta",      "c_w",       "phi_w",        "shoulders",    "rms",        "of",
+        "wanted",    "chi_square", "limit",     "change",       "grains",       "radius",     "fewest"})
     f.numbers.insert(f.numbers.end(), {{name, 1.0}, {name, 1.0}});
+  f.numbers.push_back({"ratio", 1.0});  // of a pair of cells
   return f;
 }
 
