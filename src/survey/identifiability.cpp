@@ -7,6 +7,7 @@
 
 #include "base/nan.hpp"
 #include "base/stats.hpp"
+#include "survey/cells.hpp"
 #include "survey/elastic_limits.hpp"
 #include "survey/half_discs.hpp"
 
@@ -110,17 +111,17 @@ Estimate identified_strength(const StrengthParameter& p, const Evidence& evidenc
 }
 
 /// What is taken for the scatter of cells of which the table says little, by property.
-void report_assumed_scatter(const std::vector<Target>& targets, std::vector<Finding>& found) {
+void report_assumed_scatter(const Evidence& evidence, std::vector<Finding>& found) {
   for (int i = 0; i < n_properties; ++i) {
     const auto property = static_cast<Property>(i);
-    const std::vector<Target> some = of_property(targets, property);
+    const std::vector<Target> some = of_property(evidence.targets, property);
     Finding f{FindingKind::scatter_assumed};
     double least = nan, most = nan;
     for (const Target& t : some) {
       if (!t.sd_assumed) continue;
       const double sd = property == Property::nu ? t.sd : t.sd / t.mean;
       least = std::fmin(least, sd), most = std::fmax(most, sd);
-      f.cells.push_back(cell_of(t));
+      f.cells.push_back(cell_in(evidence.rock, t));
     }
     if (f.cells.empty()) continue;
     f.numbers = {{"least", least}, {"most", most}, {"of", static_cast<double>(some.size())}};
@@ -148,7 +149,7 @@ std::vector<Estimate> identifiability(const Evidence& evidence) {
 std::vector<Finding> limits_of_table(const Evidence& evidence) {
   const ModulusReading E_is = evidence.rock.E_is;
   std::vector<Finding> found;
-  report_assumed_scatter(evidence.targets, found);
+  report_assumed_scatter(evidence, found);
   // packings of the model differ too, which comes on top of what the laboratory's scatter lets expect
   const bool moduli = evidence.has(Property::E);
   found.push_back({moduli ? FindingKind::packings_not_counted : FindingKind::no_modulus});
