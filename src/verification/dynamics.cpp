@@ -51,6 +51,7 @@ double frequency(Bench& b, const Read& read, int cycles) {
     b.group->advance();
     u.push_back(read(b));
   }
+  // The relation holds for every triple; summed, the rounding of single ones evens out.
   double num = 0.0, den = 0.0;  // least squares over the whole record
   for (std::size_t i = 1; i + 1 < u.size(); ++i) num += (u[i + 1] + u[i - 1]) * u[i], den += u[i] * u[i];
   const double cosine = 0.5 * num / den;
@@ -68,6 +69,7 @@ Specimen bonded_pair() {
 std::vector<Check> rigid_motion() {
   Specimen s = assembly(hexagonal(7, 7, R_disc), soft_contact());
   bond_touching(s);
+  // Slow against the bonds, so that centrifugal forces stretch nothing.
   const double w0 = std::sqrt(s.matrix.E_b / mass(s, 0));
   const double spin = 1e-6 * w0;
   Bench b(std::move(s), 0.0, 100);
@@ -83,11 +85,13 @@ std::vector<Check> rigid_motion() {
 std::vector<Check> chain() {
   constexpr int n = 40;
   std::vector<Check> checks;
+  // From the longest wave to the shortest, where neighbours move against each other.
   for (const int mode : {1, 7, 20, 39}) {
     std::vector<Disc> discs;
     for (int i = 0; i < n; ++i) discs.push_back({2.0 * R_disc * i, 0.0, R_disc});
     Specimen s = assembly(discs, soft_contact());
     bond_touching(s);
+    // kb_n A of equal discs: modulus over length, times the width of the cement.
     const double K = s.matrix.E_b / (2.0 * R_disc) * 2.0 * R_disc, m = mass(s, 0);
     Bench b(std::move(s), 0.0);
     for (std::uint32_t i = 0; i < n; ++i)
@@ -180,6 +184,7 @@ std::vector<Check> damped_oscillator() {
     b.group->advance();
     const double u = b.grain(1).ux;
     if (i > 2 && (last - before) * (u - last) < 0.0) {  // parabola through three points
+      // Rows miss the extremum by up to half a step: its place and height follow from three of them.
       const double curve = u - 2.0 * last + before;
       const double shift = 0.5 * (before - u) / curve;
       extreme.push_back(std::fabs(last - 0.25 * (before - u) * shift));
@@ -221,6 +226,7 @@ std::vector<Check> wave_through_joint() {
   Specimen s = jointed_chain(n, at);
   const double K = s.matrix.E_b, m = mass(s, 0), k_j = s.bedding[0].k_n * 2.0 * R_disc;
   Bench b(std::move(s), 0.0, 50, 0.25);
+  // The frequency of the leap-frog, which is above that of springs and masses.
   const double w = 2.0 / b.dt() * std::asin(b.dt() * std::sqrt(K / m) * std::sin(0.5 * q));
   const double speed = std::sqrt(K / m) * std::cos(0.5 * q);
   const auto wave = [&](double x, double t) {
@@ -229,6 +235,7 @@ std::vector<Check> wave_through_joint() {
   };
   double re = 0.0, im = 0.0;
   for (std::uint32_t i = 0; i < n; ++i) {
+    // Speeds are half a step behind positions: the difference of two places in time, not the derivative.
     const double u = wave(i, 0.0), v = (u - wave(i, -b.dt())) / b.dt();
     b.group->set_motion(0, i, {u, 0.0, 0.0}, {v, 0.0}, 0.0);
     re += u * std::cos(q * i), im += u * std::sin(q * i);
@@ -236,6 +243,7 @@ std::vector<Check> wave_through_joint() {
   const double came = std::sqrt(re * re + im * im);
   const int blocks = static_cast<int>(2.0 * (at - centre) / (speed * b.dt() * 50));
   for (int i = 0; i < blocks; ++i) b.group->advance();
+  // What has passed the joint; the reflected part is on the other side by now.
   re = im = 0.0;
   const Snapshot shot = b.group->snapshot(0);
   for (int i = at; i < n; ++i) {

@@ -22,6 +22,7 @@ std::vector<Check> joint_friction() {
   for (const double psi : {0.0, 10.0}) {
     const auto p = joint(psi);
     laws::smooth_joint::State<double> s{0.0, N0 / p.k_n, 0.0, 0.0};
+    // Steps far below the slide at which it slips: what is found lags by one of them.
     const double du = 1e-9, u_slip = p.mu * N0 / p.k_s;
     double u = 0.0, opened = 0.0, onset = 0.0;
     laws::Reaction<double> r{};
@@ -47,12 +48,14 @@ std::vector<Check> joint_constant_stiffness() {
        {0.4, 0.9}) {  // the second alternates in the explicit form: mu (k_n/k_s) tan psi > 1
     auto p = joint(35.0);
     p.mu = mu_ks;
+    // The law asks for tan psi <= mu.
     if (mu_ks < p.tan_psi) p.tan_psi = tan_degrees(10.0);
     laws::smooth_joint::State<double> s{0.0, 5e3 / p.k_n, 0.0, 0.0};
     const double du = 1e-9;
     double F1 = 0.0, F2 = 0.0;
     for (int i = 0; i < 20000; ++i) {
       const auto r = laws::smooth_joint::respond(p, s, laws::Motion<double>{0.0, 0.0, du, 0.0});
+      // Between two steps in the middle of slipping, long after its onset.
       if (i == 14999) F1 = r.F_n;
       if (i == 19999) F2 = r.F_n;
     }
@@ -72,6 +75,7 @@ std::vector<Check> joint_strength() {
   const double du = 1e-12;
   while (s.capacity > 0.0)
     laws::smooth_joint::respond(p, s, laws::Motion<double>{0.0, -du, 0.0, 0.0}), opening += du;
+  // Pressed shut, and sheared at this force: Coulomb's line at one point.
   const double N = 8e3;
   s = {0.0, N / p.k_n, sigma_n * A, 0.0};
   laws::Reaction<double> r{};
@@ -86,6 +90,7 @@ std::vector<Check> joint_strength() {
 }
 
 laws::parallel_bond::Parameters<double> bond(double r1, double r2, double tau, double beta) {
+  // The geometry of the law itself: what is checked is strength, not stiffness.
   const auto g = laws::parallel_bond::geometry(1.0, r1, r2);
   const double kb = 38e9 / g.L;
   return {kb * g.A, 0.3 * kb * g.A, kb * g.I, 3.0 * beta / g.R_bar, tau * g.A, 0.0, 0.0};
@@ -96,6 +101,7 @@ laws::parallel_bond::Parameters<double> bond(double r1, double r2, double tau, d
 laws::Motion<double> until_broken(const laws::parallel_bond::Parameters<double>& p, double capacity,
                                   laws::Motion<double> d) {
   laws::parallel_bond::State<double> s{0.0, capacity};
+  // Closure and rotation are totals, slide is an increment.
   laws::Motion<double> m{0.0, d.closure, d.d_slide, 0.0};
   double slide = 0.0;
   while (s.capacity > 0.0) {
@@ -112,6 +118,7 @@ std::vector<Check> bond_strength() {
   const auto pull = until_broken(p, sigma * A, {-1e-13, 0.0, 0.0, 0.0});
   const auto slide = until_broken(p, sigma * A, {0.0, 0.0, 1e-13 * 5, 0.0});
   const auto bend = until_broken(p, sigma * A, {0.0, 0.0, 0.0, 1e-9});
+  // Tension and bending meet in the outer fibre, and only there.
   const auto both = until_broken(p, sigma * A, {-1e-13, 0.0, 0.0, 1e-9});
   const double N = -p.k_n * both.closure, M = p.k_m * both.rotation;
   return {
@@ -132,6 +139,7 @@ double rebound(double beta, int mode, bool shear) {
   double x = 0.0, v = v0;
   while (true) {
     x += v * dt;
+    // It has left the contact, or come back to the middle of its swing.
     if (x <= 0.0) return -v / v0;
     const laws::Motion<double> m =
         shear ? laws::Motion<double>{1e-6, 0.0, v * dt, 0.0} : laws::Motion<double>{x, v * dt, 0.0, 0.0};

@@ -147,6 +147,7 @@ std::vector<Check> brazilian_centre() {
   Packing lattice;
   constexpr double r = 2e-4;
   lattice.discs = hexagonal(54, 62, r);
+  // As wide and high as the lattice of the line above: 54 by 62 discs.
   lattice.width = r * 109.0, lattice.height = r * (2.0 + root3 * 61.0);
   const CentreStress hexagonal_disc = centre_stress(lattice, D);
   CentreStress mean;
@@ -173,10 +174,12 @@ std::vector<Check> sheared_plane() {
   r.test.platen_speed = 0.01;
   r.bedding.resize(1);
   BeddingRecipe& set = r.bedding.front();
+  // So far apart that one plane lies in the specimen, in the middle of the boxes.
   set.rule = BeddingRule::crossing, set.spacing = 0.05, set.phi = 20.0, set.mu = 0.4;
   const auto packing =
       std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
   Specimen s = genesis::make_specimens(packing, r).front();
+  // Joints carry by their own length, of which there is more than of plane.
   const double overlap = s.bedding_report.front().overlap_ratio;
   const TestResult result = run(std::move(s), r);
   const double sigma = r.test.normal_stress;
@@ -204,6 +207,7 @@ Intensity notched_half_disc(const Packing& packing, double radius, double notch_
 }
 
 std::vector<Check> notched_bending() {
+  // The theory is that of a continuum: the notch has to span many grains.
   constexpr double r = 2e-4, radius = 0.032;  // 80 grains
   Packing lattice;
   lattice.discs = hexagonal(166, 104, r);
