@@ -37,7 +37,7 @@ double prior(const Recipe& r, double theta, Property property = Property::ucs) {
 }
 
 TEST(PriorRegression, PredictsThePapersSpecimenThatItHasNotSeen) {
-  // three packings of 7,481 discs (docs/status.md), which scatter by up to 9 %
+  // three packings of 7,481 discs (measured/paper-specimen.csv), which scatter by up to 9 %
   const std::map<double, double> measured = {{0, 105.2e6}, {15, 100.4e6}, {30, 67.1e6}, {45, 52.8e6},
                                              {60, 49.8e6}, {75, 71.9e6},  {90, 138.3e6}};
   double squares = 0.0;

@@ -9,7 +9,7 @@ namespace phy {
 namespace {
 
 // Widths of prior means: points of a map that were left out are missed by 0.09 - 0.25 in UCS, by 0.2 - 0.4 in
-// Brazilian strength (docs/calibration.md, "Prior mean").
+// Brazilian strength (docs/theory/calibration.md, "Prior mean").
 constexpr PriorWidth tension_width = {0.3, 0.15, 0.06};
 
 const std::array<MeasuredProperty, n_properties> properties = {

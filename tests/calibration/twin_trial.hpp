@@ -1,6 +1,6 @@
 // A twin trial: a rock of known parameters is drawn, the program makes its laboratory table with noise, the
 // calibration sees nothing but that table, and what it finds is held against the noise-free response
-// (docs/calibration.md, "Twin trials").
+// (docs/theory/calibration.md, "Twin trials").
 #pragma once
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ void draw_matrix(MatrixRecipe& m, const Between& between) {
   m.mu = between(0.3, 1.0);
 }
 
-/// Rock k of the box of docs/calibration.md, everything uniform in its logarithm.
+/// Rock k of the box of docs/theory/calibration.md, everything uniform in its logarithm.
 inline Recipe trial_rock(std::uint32_t k, const Recipe& model) {
   std::uint32_t what = 0;
   const auto between = [&](double low, double high) {

@@ -9,7 +9,7 @@
 //
 // Rocks 130 ... 139 of the box of the twin trials (1,197 discs), written down before the first of them was
 // run; PHY_TWIN_MAGNIFICATION (5: 299 discs), PHY_TWIN_PACKINGS, PHY_TWIN_FIRST and PHY_TWIN_ROCKS as in
-// twin_trials.test.cpp; docs/calibration.md, "Compared".
+// twin_trials.test.cpp; docs/theory/calibration.md, "Compared".
 #ifdef PHY_NLOPT
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Fresh twins: rocks that no development has seen, as a laboratory would hand them in. Seeds, boxes and
 // yardsticks stand here and were committed before the first of them was run; results, misses included, in
-// docs/calibration.md. A further attempt takes another `fresh_seed`.
+// docs/theory/calibration.md. A further attempt takes another `fresh_seed`.
 //
 // Rock-like (0 ... 19): planes by the crossing rule, as the model has them. E(90)/E(0) between 1.1 and 3 by
 // the direct solution of one packing (draws outside are drawn anew); E_c, strengths and frictions in the box

@@ -4,8 +4,8 @@
 // calibration is told neither what holds the grains nor what makes the layers; E is the tangent at half of
 // the strength; three specimens of 5 % scatter per cell.
 //
-// What is asked of them is the goal; how many of the four meet it stands in docs/calibration.md, "Which
-// matrix".
+// What is asked of them is the goal; how many of the four meet it stands in docs/theory/calibration.md,
+// "Which matrix".
 //
 // PHY_TWIN_FIRST and PHY_TWIN_ROCKS choose some of the four, PHY_TWIN_EFFORT the effort
 // (calibrate/effort.hpp; 0: quick; 1, unless given: normal; 2: thorough), PHY_TWIN_STORE names a folder that
