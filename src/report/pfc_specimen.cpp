@@ -115,6 +115,23 @@ std::string bonds_text(const Specimen& s) {
          "contact method bond gap 1.0 range group 'bond'   ; [D] contact method; 1 m: all of the group\n";
 }
 
+/// Turns a joint as its plane lies, and counts those that PFC has laid otherwise.
+constexpr const char* joint_function =
+    "[turned = 0]\n[swapped = 0]\n"
+    "fish define joint(a, b, theta, side, ten)\n"
+    "  local c = contact_of(a, b)\n"
+    "  if c # null then\n"
+    "    contact.prop(c,'dip') = 180.0 - theta\n"
+    "    contact.prop(c,'sj_ten') = ten\n"
+    "    contact.prop(c,'sj_state') = 3\n"
+    "    local n = contact.prop(c,'sj_unorm')\n"
+    "    local along = side*(math.cos(theta*math.degrad)*comp.y(n) - "
+    "math.sin(theta*math.degrad)*comp.x(n))\n"
+    "    if contact.end1(c) = ball.find(b) then\n      along = -along\n    endif\n"
+    "    if math.abs(along) < 0.999 then\n      turned = turned + 1\n    endif\n"
+    "    if along < -0.999 then\n      swapped = swapped + 1\n    endif\n"
+    "  endif\nend\n";
+
 std::string joints_text(const Specimen& s) {
   if (std::none_of(s.contacts.begin(), s.contacts.end(),
                    [](const Contact& c) { return c.kind == ContactKind::joint; }))
@@ -134,21 +151,7 @@ std::string joints_text(const Specimen& s) {
   text += "contact model smoothjoint range group 'joint'\n";
   for (std::size_t k = 0; k < s.bedding.size(); ++k)
     text += fmt::format("fish define set_{}(c)\n", k + 1) + pfc_joint_properties(s.bedding[k]) + "end\n";
-  text +=
-      "[turned = 0]\n[swapped = 0]\n"
-      "fish define joint(a, b, theta, side, ten)\n"
-      "  local c = contact_of(a, b)\n"
-      "  if c # null then\n"
-      "    contact.prop(c,'dip') = 180.0 - theta\n"
-      "    contact.prop(c,'sj_ten') = ten\n"
-      "    contact.prop(c,'sj_state') = 3\n"
-      "    local n = contact.prop(c,'sj_unorm')\n"
-      "    local along = side*(math.cos(theta*math.degrad)*comp.y(n) - "
-      "math.sin(theta*math.degrad)*comp.x(n))\n"
-      "    if contact.end1(c) = ball.find(b) then\n      along = -along\n    endif\n"
-      "    if math.abs(along) < 0.999 then\n      turned = turned + 1\n    endif\n"
-      "    if along < -0.999 then\n      swapped = swapped + 1\n    endif\n"
-      "  endif\nend\n";
+  text += joint_function;
   for (const Contact& c : s.contacts) {
     if (c.kind != ContactKind::joint) continue;
     const int set = s.set_of(c.set);
