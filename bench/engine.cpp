@@ -16,7 +16,7 @@
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace {
 

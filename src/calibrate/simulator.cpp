@@ -16,7 +16,8 @@
 #include "study/effects.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
-#include "study/runner.hpp"
+#include "study/store_queue.hpp"
+#include "study/worker.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -60,14 +61,14 @@ class Clockwork {
     start_ = std::chrono::steady_clock::now();
   }
   /// Expected cost of all that is left, scaled by what finished tests took, over the speed so far.
-  double seconds_left(const study::StudyProgress& now) const {
+  double seconds_left(const study::Progress& now) const {
     const double work = work_ + now.work, cost = cost_new_ + now.cost_new, took = work_new_ + now.work_new;
     if (!(work > 0.0) || !(took > 0.0)) return 0.0;
     const double later = std::accumulate(to_come_.begin(), to_come_.end(), 0.0);
     const double left = took / cost * (now.cost_new + now.cost_left + later) - now.work;
     return (seconds_ + since_start()) / work * std::max(0.0, left);
   }
-  void end(const study::StudyProgress& last) {
+  void end(const study::Progress& last) {
     seconds_ += since_start();
     work_ += last.work, work_new_ += last.work_new, cost_new_ += last.cost_new;
   }
@@ -164,22 +165,23 @@ class OwnSimulator : public Simulator {
   }
 
   void run(const study::Plan& plan) {
-    study::StudyHooks hooks;
+    study::Hooks hooks;
     hooks.stop = options_.stop;
     if (options_.on_progress)
-      hooks.on_progress = [&](const study::StudyProgress& p) {
+      hooks.on_progress = [&](const study::Progress& p) {
         options_.on_progress({p.n_done, p.n_total, clockwork_.seconds_left(p)});
       };
     if (options_.on_reading)
-      hooks.on_reading = [&](const study::PlannedTest& test, double strain, double stress) {
-        options_.on_reading(test.recipe, strain, stress);
+      hooks.on_reading = [&](std::size_t test, double strain, double stress) {
+        options_.on_reading(plan.tests[test].recipe, strain, stress);
       };
     if (options_.gallery != nullptr)
-      hooks.on_result = [&](const study::PlannedTest& test, const TestResult& result) {
-        if (!keeps_pictures(test.recipe) || result.n_grains == 0) return;  // 0: no specimen could be made
-        const auto known = packings_.find(packing_name(test.recipe));
-        const auto packing = known != packings_.end() ? known->second : study::packing_of(test.recipe);
-        options_.gallery->add(*study::specimen_of(packing, test.recipe), test.recipe, result);
+      hooks.on_result = [&](std::size_t test, const TestResult& result) {
+        const Recipe& recipe = plan.tests[test].recipe;
+        if (!keeps_pictures(recipe) || result.n_grains == 0) return;  // 0: no specimen could be made
+        const auto known = packings_.find(packing_name(recipe));
+        const auto packing = known != packings_.end() ? known->second : study::packing_of(recipe);
+        options_.gallery->add(*study::specimen_of(packing, recipe), recipe, result);
       };
     study::StoreQueue queue(plan, store(), hooks, options_.threads);
     study::MachineOptions machine;

@@ -22,12 +22,13 @@
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/run_folder.hpp"
+#include "jobs/study_folder.hpp"
 #include "lab/load_path.hpp"
 #include "records/quality.hpp"
 #include "records/recipe_schema.hpp"
 #include "study/envelope.hpp"
-#include "study/scheduler.hpp"
 #include "study/table.hpp"
+#include "study/worker.hpp"
 
 namespace phy::cli {
 namespace {
@@ -213,32 +214,34 @@ std::string fits_csv(const study::Envelope& envelope) {
   return text;
 }
 
-/// The tests, stress by stress. Each is on disk as soon as it has ended; Ctrl-C ends the others.
-study::EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>& specimens,
-                             const Recipe& recipe, const std::vector<double>& confining, const fs::path& out,
+/// Every specimen under every stress. Each test is on disk as soon as it has ended; Ctrl-C ends the others.
+study::EnvelopeTests run_all(const study::Specimens& specimens, const Recipe& recipe,
+                             const std::vector<double>& confining, const fs::path& out,
                              const study::MachineOptions& machine) {
-  study::EnvelopeTests tests{confining, {}};
-  ProgressLine line;
-  // One line of progress over all stresses: each run counts its own from zero.
-  study::Progress before{0, confining.size() * specimens.size(), 0.0};
+  // One queue for all of them: the stresses are tested side by side, the longest tests first.
+  const std::size_t n = specimens.size();
+  study::Specimens all;
+  std::vector<Recipe> recipes;
   for (const double sigma_3 : confining) {
-    study::Progress now;
-    const Recipe confined = study::confined_recipe(recipe, sigma_3);
-    study::ScheduleHooks hooks;
-    hooks.stop = stop_on_interrupt();
-    hooks.on_progress = [&](const study::Progress& p) {
-      now = p;
-      line.update({before.n_done + p.n_done, before.n_total, before.steps_done + p.steps_done});
-    };
-    hooks.on_result = [&](std::size_t k, const TestResult& r) {
-      if (r.outcome.status == Status::interrupted) return;
-      io::write_result((out / folder_of(sigma_3) / io::folder_name(r.name)).string(), confined, PHY_VERSION,
-                       *specimens[k], r);
-      line.note(fmt::format("{:g} MPa, {}: {}", sigma_3 * 1e-6, r.name, r.outcome.reason));
-    };
-    tests.results.push_back(study::run_tests(specimens, confined, machine, hooks));
-    before.n_done += specimens.size(), before.steps_done += now.steps_done;
+    all.insert(all.end(), specimens.begin(), specimens.end());
+    recipes.insert(recipes.end(), n, study::confined_recipe(recipe, sigma_3));
   }
+  ProgressLine line;
+  study::Hooks hooks;
+  hooks.stop = stop_on_interrupt();
+  hooks.on_progress = [&](const study::Progress& p) {
+    line.show([&](double seconds) { return jobs::progress_text(p, seconds); });
+  };
+  hooks.on_result = [&](std::size_t i, const TestResult& r) {
+    if (r.outcome.status == Status::interrupted) return;
+    const double sigma_3 = confining[i / n];
+    io::write_result((out / folder_of(sigma_3) / io::folder_name(r.name)).string(), recipes[i], PHY_VERSION,
+                     *all[i], r);
+    line.note(fmt::format("{:g} MPa, {}: {}", sigma_3 * 1e-6, r.name, r.outcome.reason));
+  };
+  study::EnvelopeTests tests{confining, std::vector<std::vector<TestResult>>(confining.size())};
+  std::vector<TestResult> results = study::run_tests(all, recipes, machine, hooks);
+  for (std::size_t i = 0; i < results.size(); ++i) tests.results[i / n].push_back(std::move(results[i]));
   line.finish();
   return tests;
 }

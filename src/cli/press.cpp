@@ -8,8 +8,9 @@
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "io/store.hpp"
+#include "jobs/study_folder.hpp"
 #include "report/palette.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace phy::cli {
 namespace {
@@ -35,10 +36,12 @@ std::vector<TestResult> press(const Recipe& recipe,
   LivePlot plot(curves_of(specimens));
   // The line of progress stays the last one of the terminal.
   line.draw_above([&] { return plot.lines(); });
-  study::ScheduleHooks hooks;
+  study::Hooks hooks;
   hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
   hooks.stop = stop_on_interrupt();
-  hooks.on_progress = [&](const study::Progress& p) { line.update(p); };
+  hooks.on_progress = [&](const study::Progress& p) {
+    line.show([&](double seconds) { return jobs::progress_text(p, seconds); });
+  };
   hooks.on_result = [&](std::size_t i, const TestResult& result) {
     // An interrupted test would stand beside finished ones as if it were a result.
     if (result.outcome.status == Status::interrupted) return;

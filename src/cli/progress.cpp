@@ -24,19 +24,6 @@ constexpr double between_drawings = 0.2, between_lines = 10.0;  // [s] on a term
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), shown_(start_) {}
 
-// A test's length is not known before its peak, so the remaining time is estimated from finished specimens
-// only.
-void ProgressLine::update(const study::Progress& p) {
-  show([&](double seconds) {
-    std::string left = "remaining time unknown until the first specimen ends";
-    if (p.n_done > 0)
-      left = fmt::format("about {:.0f} s left",
-                         seconds / static_cast<double>(p.n_done) * static_cast<double>(p.n_total - p.n_done));
-    return fmt::format("{}/{} specimens, {:.0f} cycles/s, {:.0f} s, {}", p.n_done, p.n_total,
-                       p.steps_done / seconds, seconds, left);
-  });
-}
-
 void ProgressLine::show(const std::function<std::string(double)>& say) {
   if (seconds_since(shown_) < (terminal_ ? between_drawings : between_lines)) return;
   shown_ = Clock::now();

@@ -5,14 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "study/work.hpp"
-
 namespace phy::cli {
 
 class ProgressLine {
  public:
   ProgressLine();
-  void update(const study::Progress& progress);
   /// Shows `say(seconds since the start)` unless the last update was a moment ago.
   void show(const std::function<std::string(double)>& say);
   /// Lines to be drawn above the line of progress on a terminal, asked for with every drawing. The last ones

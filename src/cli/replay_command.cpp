@@ -19,6 +19,7 @@
 #include "study/experiment.hpp"
 #include "study/replay.hpp"
 #include "study/store.hpp"
+#include "study/worker.hpp"
 
 namespace phy::cli {
 namespace {
@@ -156,20 +157,20 @@ void run_again(const std::vector<Stored*>& tests, bool direct, const ReplayArgum
   // One plan holds one solver.
   plan.study.solver = direct ? study::Solver::direct : study::Solver::dynamic;
   std::size_t n_done = 0;
-  study::run_again(
-      plan, machine,
-      [&](std::size_t test, const TestResult& now) {
-        if (now.outcome.status == Status::interrupted) return;
-        for (std::size_t i = 0; i < tests.size(); ++i) {
-          if (plan.runs[i].test != test) continue;
-          compare(*tests[i], plan.tests[test], now, args.out), ++n_done;
-          if (!tests[i]->differences.empty()) line.note(tests[i]->name + ": differs");
-        }
-        line.show([&](double seconds) {
-          return fmt::format("{}/{} tests run again, {:.0f} s", n_done, tests.size(), seconds);
-        });
-      },
-      stop_on_interrupt());
+  study::Hooks hooks;
+  hooks.stop = stop_on_interrupt();
+  hooks.on_result = [&](std::size_t test, const TestResult& now) {
+    if (now.outcome.status == Status::interrupted) return;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      if (plan.runs[i].test != test) continue;
+      compare(*tests[i], plan.tests[test], now, args.out), ++n_done;
+      if (!tests[i]->differences.empty()) line.note(tests[i]->name + ": differs");
+    }
+    line.show([&](double seconds) {
+      return fmt::format("{}/{} tests run again, {:.0f} s", n_done, tests.size(), seconds);
+    });
+  };
+  study::run_plan(plan, machine, hooks);
 }
 
 void print_test(const Stored& s, int width) {

@@ -24,9 +24,10 @@
 #include "study/effects.hpp"
 #include "study/experiment.hpp"
 #include "study/mpi.hpp"
-#include "study/runner.hpp"
+#include "study/store_queue.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
+#include "study/worker.hpp"
 
 namespace phy::cli {
 namespace {
@@ -61,6 +62,12 @@ study::Shard parse_shard(const std::string& text) {
   return shard;
 }
 
+/// Where a study, or a part of it, is kept.
+struct Place {
+  std::string folder;
+  study::Shard shard;
+};
+
 struct StudyRun {
   study::WorkReport report;
   std::size_t n_new = 0, n_guest = 0;
@@ -69,12 +76,12 @@ struct StudyRun {
 StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& session,
                   const study::Ranks* ranks) {
   ProgressLine line;
-  study::StudyHooks hooks;
+  study::Hooks hooks;
   hooks.stop = stop_on_interrupt();
-  hooks.on_progress = [&](const study::StudyProgress& p) {
+  hooks.on_progress = [&](const study::Progress& p) {
     line.show([&](double seconds) { return jobs::progress_text(p, seconds); });
   };
-  hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
+  hooks.on_result = [&](std::size_t, const TestResult& r) {
     if (!has_answer(r.outcome.status)) line.note(r.name + ": " + r.outcome.reason);
   };
   const study::MachineOptions machine = machine_of(session);
@@ -99,8 +106,9 @@ void report_tables(const study::Plan& plan, const study::StudyRows& rows, const 
   if (!plan.study.vary.empty()) write_report(folder);
 }
 
-int finish_study(const study::Plan& plan, const study::Store& store, const std::string& folder,
-                 const study::Shard& shard, const StudyRun& run, const Session& session) {
+int finish_study(const study::Plan& plan, const study::Store& store, const Place& place, const StudyRun& run,
+                 const Session& session) {
+  const auto& [folder, shard] = place;
   const auto rows = study::rows_of(plan, store);
   if (shard.n == 1 && n_finished(rows) > 0) report_tables(plan, rows, folder, session.terminal_width);
   const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
@@ -148,7 +156,7 @@ int run_study(const study::Study& study, const jobs::StudyFiles& files, const St
   print_plan(plan, study::rows_of(plan, *store), session);
   flush_out();
   const StudyRun run = run_plan(plan, *store, session, ranks ? &*ranks : nullptr);
-  return finish_study(plan, *store, folder, shard, run, session);
+  return finish_study(plan, *store, {folder, shard}, run, session);
 }
 
 /// The whole store of a study that has run.

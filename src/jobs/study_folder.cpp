@@ -174,7 +174,7 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-std::string progress_text(const study::StudyProgress& p, double seconds) {
+std::string progress_text(const study::Progress& p, double seconds) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
   if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);
   text += fmt::format(", {:.0f} s", seconds);

@@ -45,6 +45,6 @@ void write_tables(const study::Plan& plan, const study::StudyRows& rows, const s
 /// "41 s", "12 min", "3.0 h"
 std::string duration(double seconds);
 /// One line on how far a study has come.
-std::string progress_text(const study::StudyProgress& p, double seconds);
+std::string progress_text(const study::Progress& p, double seconds);
 
 }  // namespace phy::jobs

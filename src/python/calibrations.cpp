@@ -14,9 +14,10 @@
 #include "python/module.hpp"
 #include "python/released.hpp"
 #include "report/calibration_files.hpp"
-#include "study/runner.hpp"
+#include "study/store_queue.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
+#include "study/worker.hpp"
 
 namespace phy::python {
 namespace {
@@ -98,12 +99,12 @@ study::StudyRows finished_rows(const study::Study& wanted, const study::Plan& pl
                                int threads, Watch& watch) {
   const auto store = jobs::begin_study(study::study_files(wanted), folder, {});
   const auto start = std::chrono::steady_clock::now();
-  study::StudyHooks hooks;
+  study::Hooks hooks;
   hooks.stop = &watch.stop;
-  hooks.on_progress = [&](const study::StudyProgress& p) {
+  hooks.on_progress = [&](const study::Progress& p) {
     watch.show({jobs::progress_text(p, seconds_since(start)), p.n_done, p.n_total});
   };
-  hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
+  hooks.on_result = [&](std::size_t, const TestResult& r) {
     if (!has_answer(r.outcome.status)) watch.say(r.name + ": " + r.outcome.reason);
   };
   const study::MachineOptions machine = jobs::machine_of(threads);

@@ -25,7 +25,7 @@
 #include "records/jointed.hpp"
 #include "records/test_description.hpp"
 #include "study/elastic_study.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 #include "verification/contact_witness.hpp"
 
 namespace phy::python {
@@ -102,7 +102,7 @@ py::dict numbers_of(const Test& t) {
 /// Runs the tests; with a folder, what the command leaves in it.
 std::vector<TestResult> press(const Recipe& recipe, const Specimens& specimens, const std::string& folder,
                               int threads, Watch& watch) {
-  study::ScheduleHooks hooks;
+  study::Hooks hooks;
   hooks.stop = &watch.stop;
   hooks.on_progress = [&](const study::Progress& p) {
     watch.show(

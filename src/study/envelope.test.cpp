@@ -8,7 +8,7 @@
 #include "analysis/analyse.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 #include "theory/hoek_brown.hpp"
 
 namespace phy::study {

@@ -1,5 +1,5 @@
-// How long a test will take, guessed before it runs: for the order of the queue, for the first chunks of the
-// workers and for the expected time. Decides no result. `r`: the recipe of one test.
+// How long a test will take, guessed before it runs: for the order of the queue and for the expected time.
+// Decides no result. `r`: the recipe of one test.
 #pragma once
 #include "records/recipe.hpp"
 

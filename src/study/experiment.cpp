@@ -7,9 +7,7 @@
 #include "base/check.hpp"
 #include "base/hash.hpp"
 #include "genesis/cache.hpp"
-#include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "io/csv.hpp"
 #include "io/file.hpp"
 #include "records/recipe_schema.hpp"
 
@@ -95,10 +93,7 @@ std::vector<RecipeDifference> differences(const Recipe& one, const Recipe& other
 }
 
 std::shared_ptr<const Packing> packing_of(const Recipe& r, const std::function<bool()>& stop) {
-  if (r.packing.file.empty())
-    return genesis::cached_packing(r.specimen, r.packing, r.matrix, genesis::default_cache_folder(), stop);
-  return std::make_shared<const Packing>(
-      genesis::adopt_packing(r.specimen, r.packing, r.matrix, io::read_discs(r.packing.file)));
+  return genesis::packing_of(r, genesis::default_cache_folder(), stop);
 }
 
 std::shared_ptr<const Specimen> specimen_of(std::shared_ptr<const Packing> packing, const Recipe& single) {

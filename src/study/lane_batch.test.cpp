@@ -8,9 +8,8 @@
 #include <thread>
 
 #include "lab/procedure_fixture.hpp"
-#include "study/chunks.hpp"
 #include "study/experiment.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace phy::study {
 namespace {
@@ -183,29 +182,6 @@ TEST(LaneBatch, AWorkerWhoHasRunDryIsGivenTests) {
   EXPECT_EQ(bench.found, undisturbed());
 }
 
-TEST(FirstLots, LongTestsStandAlone) {
-  const LaneBatchOptions doubles{widest_group(Precision::double_precision, engine::Isa::avx512), false};
-  const auto chunks = [&](const std::vector<double>& cost, std::size_t n_workers) {
-    return first_chunks(cost, false, n_workers, doubles);
-  };
-  // The seven angles and the intact rock, in thousands of cycles: one after the other by four workers.
-  const std::vector<double> paper = {123, 112, 73, 61, 57, 52, 45, 40};
-  EXPECT_EQ(chunks(paper, 4), (std::vector<std::size_t>{1, 1, 1, 1}));
-  EXPECT_EQ(chunks(paper, 1), std::vector<std::size_t>{1});
-  EXPECT_EQ(chunks(std::vector<double>(8, 1.0), 1), std::vector<std::size_t>{8});
-  EXPECT_EQ(chunks({5, 5, 5}, 4), (std::vector<std::size_t>{1, 1, 1}));
-  EXPECT_EQ(chunks(std::vector<double>(40, 1.0), 2), (std::vector<std::size_t>{8, 8}));
-  // One long and eight short: these side by side, the long one by the other worker.
-  EXPECT_EQ(chunks({60, 9, 9, 9, 9, 9, 9, 9, 9}, 2), (std::vector<std::size_t>{1, 8}));
-}
-
-TEST(FirstLots, FixedLanesAreFilled) {
-  LaneBatchOptions eight_lanes{widest_group(Precision::double_precision, engine::Isa::avx512), true};
-  EXPECT_EQ(first_chunks(std::vector<double>(11, 1.0), false, 2, eight_lanes),
-            (std::vector<std::size_t>{8, 3}));
-  EXPECT_EQ(first_chunks({2, 1}, false, 4, eight_lanes), std::vector<std::size_t>{2});
-}
-
 TEST(LaneBatchExchange, EndsWhenNobodyHasWork) {
   LaneBatchExchange exchange(3);
   const auto idle = [&] {
@@ -250,7 +226,7 @@ TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
   const auto specimen = specimen_of(packing_of(r), r);
   std::size_t n_later = 0;
   bool thrown = false;
-  ScheduleHooks hooks;
+  Hooks hooks;
   hooks.on_reading = [&](std::size_t index, double, double) {
     if (thrown) ++n_later, std::this_thread::sleep_for(milliseconds(1));
     if (index == 1) thrown = true, throw std::runtime_error("no room for a reading");
@@ -260,7 +236,7 @@ TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
   EXPECT_LT(n_later, 100U) << "a whole test has many more";
 }
 
-TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
+TEST(RunTests, ATestThatHasNotBegunKnowsWhoseItIs) {
   Recipe r = lab::small_rock(TestKind("biaxial"));
   r.bedding.resize(1);
   r.test.angles = {30.0};
@@ -268,7 +244,7 @@ TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (const Recipe& single : single_recipes(r)) specimens.push_back(specimen_of(packing_of(r), single));
   const std::atomic<bool> stop{true};
-  ScheduleHooks hooks;
+  Hooks hooks;
   hooks.stop = &stop;
   const auto results = run_tests(specimens, r, {1, 0, 4, engine::native_isa()}, hooks);
   for (const TestResult& result : results) {

@@ -109,7 +109,7 @@ class RemoteQueue : public TaskQueue {
     const json a = ask(at_batch("take", batch, last));
     return a.is_null() ? std::nullopt : std::optional<std::size_t>(a.get<std::size_t>());
   }
-  void deliver(std::size_t test, const TestResult& result) override {
+  void deliver(std::size_t test, TestResult result) override {
     ask({{"ask", "deliver"}, {"test", test}, {"host", host_name()}, {"result", packed(result)}});
   }
   void count(double work) override { stopped_ = ask({{"ask", "count"}, {"work", work}}).get<bool>(); }

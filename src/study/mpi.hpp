@@ -10,7 +10,8 @@
 // Rejected: a store per rank with a merge at the end, which could not give work to the rank that runs dry
 // first; that is what shards are for, where there is no MPI.
 #pragma once
-#include "study/runner.hpp"
+#include "study/store_queue.hpp"
+#include "study/worker.hpp"
 
 namespace phy::study {
 

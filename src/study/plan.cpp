@@ -14,13 +14,20 @@
 namespace phy::study {
 namespace {
 
-/// Number of a set of angles, in the order of appearance.
-std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Recipe& single) {
-  std::vector<double> angles;
-  if (single.matrix.directional()) angles.push_back(single.matrix.foliation);
-  for (const BeddingRecipe& set : single.bedding) angles.push_back(set.theta);
-  return kinds.try_emplace(angles, kinds.size()).first->second;
-}
+/// Numbers sets of angles in the order of their appearance.
+class Groups {
+ public:
+  template <class RecipeOrSpecimen>
+  std::size_t of(const RecipeOrSpecimen& rock) {
+    std::vector<double> angles;
+    if (rock.matrix.directional()) angles.push_back(rock.matrix.foliation);
+    for (const BeddingRecipe& set : rock.bedding) angles.push_back(set.theta);
+    return numbers_.try_emplace(angles, numbers_.size()).first->second;
+  }
+
+ private:
+  std::map<std::vector<double>, std::size_t> numbers_;
+};
 
 // Whatever the lanes of one group have to share (engine/lane_group.hpp): packing, boundary, contact models
 // and geometry, precision, masses of the grains and block.
@@ -75,14 +82,14 @@ class PlanMaker {
     plan_.runs.push_back(run);
     if (!is_new) return;
     const double cost = direct ? expected_direct_cost(single) : expected_cost(single);
-    const std::size_t kind = kind_of(kinds_, single);
-    plan_.tests.push_back({key, std::move(single), cost, 0, kind});
+    const std::size_t group = groups_.of(single);
+    plan_.tests.push_back({key, std::move(single), cost, 0, group});
   }
 
  private:
   Plan& plan_;
   std::map<std::string, std::size_t> known_;
-  std::map<std::vector<double>, std::size_t> kinds_;
+  Groups groups_;
 };
 
 }  // namespace
@@ -93,6 +100,21 @@ Plan plan_of(const std::vector<Recipe>& singles) {
   for (std::size_t i = 0; i < singles.size(); ++i)
     // No study around them: point 0, the seeds of the recipe.
     maker.add(singles[i], {0, singles[i].packing.seed, singles[i].matrix.bond_seed, i});
+  make_batches(plan, {});
+  return plan;
+}
+
+Plan plan_of(const std::vector<std::shared_ptr<const Specimen>>& specimens,
+             const std::vector<Recipe>& recipes) {
+  Plan plan;
+  Groups groups;
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    const Specimen& s = *specimens[i];
+    // What this one is expected to cost: the recipe of a run may be of several angles.
+    Recipe single = recipes[i];
+    single.matrix = s.matrix, single.bedding = s.bedding;
+    plan.tests.push_back({"", recipes[i], expected_cost(single), 0, groups.of(s), specimens[i]});
+  }
   make_batches(plan, {});
   return plan;
 }

@@ -6,13 +6,16 @@
 // The length of a test is not known before its peak; a guess is enough for the order and, scaled by what
 // finished tests took, for the remaining time.
 //
-// Tests whose bedding lies at the same angles are of one kind. A contact that is a smooth joint in some lanes
-// only is computed by both laws, so a group of one kind runs up to twice as fast as one of seven angles: a
-// worker that needs a test is given one of the kind that its lanes hold, if there is one (study/runner.hpp).
+// Tests whose bedding lies at the same angles are of one group. A contact that is a smooth joint in some
+// lanes only is computed by both laws, so lanes of one group run up to twice as fast as those of seven
+// angles: a worker that needs a test is given one of the group that its lanes hold, if there is one
+// (task_queue.hpp).
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "records/specimen.hpp"
 #include "study/design.hpp"
 
 namespace phy::study {
@@ -27,11 +30,12 @@ struct Run {
 
 /// One test to be run.
 struct PlannedTest {
-  std::string key;    ///< specimen_key
-  Recipe recipe;      ///< of this one specimen
+  std::string key;    ///< specimen_key; empty where the specimen is made already
+  Recipe recipe;      ///< of this one specimen; of one that is made already that of the run
   double cost = 0.0;  ///< expected [cycles times grains], a guess
   std::size_t batch = 0;
-  std::size_t kind = 0;  ///< equal for equal angles of the bedding
+  std::size_t group = 0;                               ///< equal for equal angles of the bedding
+  std::shared_ptr<const Specimen> specimen = nullptr;  ///< made already; none: made when a worker takes it
 };
 
 /// Tests that can share a group, longest first.
@@ -56,5 +60,10 @@ Plan make_plan(const Study& study, const Shard& shard = {});
 
 /// A plan of given specimens without a study around them: run i is specimen i; equal ones are one test.
 Plan plan_of(const std::vector<Recipe>& singles);
+
+/// A plan of specimens that are made already, all of one packing: test i is specimen i by recipe i; equal
+/// ones stay two tests.
+Plan plan_of(const std::vector<std::shared_ptr<const Specimen>>& specimens,
+             const std::vector<Recipe>& recipes);
 
 }  // namespace phy::study

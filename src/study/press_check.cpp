@@ -4,7 +4,7 @@
 
 #include "base/nan.hpp"
 #include "base/stats.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace phy::study {
 namespace {

@@ -60,45 +60,6 @@ void compare_cracks(const std::vector<CrackEvent>& stored, const std::vector<Cra
                               now.size(), a - stored.begin() + 1));
 }
 
-/// All tests of a plan, batch by batch.
-class ListQueue : public TaskQueue {
- public:
-  ListQueue(const Plan& plan, const std::function<void(std::size_t, const TestResult&)>& on_result,
-            const std::atomic<bool>* stop, int n_workers)
-      : on_result_(on_result), stop_(stop), n_workers_(static_cast<std::size_t>(n_workers)) {
-    for (const Batch& b : plan.batches) waiting_.emplace_back(b.tests.begin(), b.tests.end());
-  }
-  Assignment enter() override {
-    const std::lock_guard lock(mutex_);
-    const auto most = std::max_element(waiting_.begin(), waiting_.end(),
-                                       [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    if (stopped() || most == waiting_.end() || most->empty()) return {};
-    return {Assignment::Kind::work, static_cast<std::size_t>(most - waiting_.begin()),
-            (most->size() + n_workers_ - 1) / n_workers_};
-  }
-  void leave(std::size_t, std::optional<std::size_t>) override {}
-  std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t>) override {
-    const std::lock_guard lock(mutex_);
-    if (waiting_[batch].empty() || stopped()) return {};
-    const std::size_t test = waiting_[batch].front();
-    waiting_[batch].pop_front();
-    return test;
-  }
-  void deliver(std::size_t test, const TestResult& result) override {
-    const std::lock_guard lock(mutex_);
-    on_result_(test, result);
-  }
-  void count(double) override {}
-  bool stopped() override { return stop_ != nullptr && stop_->load(); }
-
- private:
-  const std::function<void(std::size_t, const TestResult&)>& on_result_;
-  const std::atomic<bool>* stop_;
-  const std::size_t n_workers_;
-  std::mutex mutex_;
-  std::vector<std::deque<std::size_t>> waiting_;
-};
-
 }  // namespace
 
 std::vector<std::string> differences(const TestResult& stored, const TestResult& now) {
@@ -131,13 +92,6 @@ std::vector<std::size_t> spread(const std::vector<Recipe>& singles, std::size_t 
   }
   std::sort(chosen.begin(), chosen.end());
   return chosen;
-}
-
-WorkReport run_again(const Plan& plan, const MachineOptions& machine,
-                     const std::function<void(std::size_t, const TestResult&)>& on_result,
-                     const std::atomic<bool>* stop) {
-  ListQueue queue(plan, on_result, stop, machine.threads);
-  return work_at(queue, plan, machine);
 }
 
 }  // namespace phy::study

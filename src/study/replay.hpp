@@ -1,13 +1,11 @@
 // A stored result is run again from its recipe and held against what was stored. A recipe says everything
 // that a result depends on, so every number, the history and the cracks must come out to the last bit.
 #pragma once
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "records/recipe.hpp"
 #include "records/result.hpp"
-#include "study/design.hpp"
-#include "study/runner.hpp"
 
 namespace phy::study {
 
@@ -19,11 +17,5 @@ std::vector<std::string> differences(const TestResult& stored, const TestResult&
 /// Places of `n` results that differ as much as they can: of every kind of test, with and without layers and
 /// of every inclination one, then another of each. All if there are no more; the same ones every time.
 std::vector<std::size_t> spread(const std::vector<Recipe>& singles, std::size_t n);
-
-/// Runs every test of a plan, without a store, and gives back each result as soon as it is there, one at a
-/// time; a test that was stopped comes as interrupted or not at all.
-WorkReport run_again(const Plan& plan, const MachineOptions& machine,
-                     const std::function<void(std::size_t test, const TestResult&)>& on_result,
-                     const std::atomic<bool>* stop = nullptr);
 
 }  // namespace phy::study

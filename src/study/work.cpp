@@ -1,8 +1,10 @@
 #include "study/work.hpp"
 
+#include <algorithm>
+
 namespace phy::study {
 
-double StudyProgress::seconds_left(double seconds) const {
+double Progress::seconds_left(double seconds) const {
   // Expected costs are guesses with a common factor, which finished tests reveal: work done over work
   // expected. Before there are any it is 1.
   const double scale = cost_new > 0.0 && work_new > 0.0 ? work_new / cost_new : 1.0;

@@ -9,8 +9,6 @@
 
 namespace phy::study {
 
-struct PlannedTest;
-
 /// How to use the machine. Changes no bit of any result.
 struct MachineOptions {
   int threads = 1;
@@ -19,22 +17,8 @@ struct MachineOptions {
   engine::Isa isa = engine::Isa::sse2;
 };
 
-/// Progress of all running specimens.
+/// How far the tests of a plan are.
 struct Progress {
-  std::size_t n_done = 0, n_total = 0;
-  double steps_done = 0.0;  ///< cycles times specimens so far
-};
-
-struct ScheduleHooks {
-  std::function<void(std::size_t index, const TestResult&)> on_result;  ///< from a worker, one at a time
-  std::function<void(const Progress&)> on_progress;                     ///< from a worker, one at a time
-  /// Strain and stress [Pa] of a running test after each block; from a worker, one at a time.
-  std::function<void(std::size_t index, double strain, double stress)> on_reading;
-  const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
-};
-
-/// Where a study stands.
-struct StudyProgress {
   std::size_t n_done = 0;    ///< finished, by any process
   std::size_t n_failed = 0;  ///< of these: without an answer
   std::size_t n_new = 0;     ///< of these: finished by this run
@@ -48,12 +32,14 @@ struct StudyProgress {
   double seconds_left(double seconds) const;
 };
 
-struct StudyHooks {
-  std::function<void(const PlannedTest&, const TestResult&)> on_result;  ///< one at a time
-  std::function<void(const StudyProgress&)> on_progress;                 ///< one at a time
-  /// Strain and stress [Pa] of a running test after each block; one at a time. Not of tests on other ranks.
-  std::function<void(const PlannedTest&, double strain, double stress)> on_reading = nullptr;
-  const std::atomic<bool>* stop = nullptr;
+/// Called from the workers, one at a time. A test is its place in Plan::tests.
+struct Hooks {
+  /// Finished, or interrupted where no store keeps it free for another run; may be moved from.
+  std::function<void(std::size_t test, TestResult&)> on_result;
+  std::function<void(const Progress&)> on_progress;
+  /// Strain and stress [Pa] of a running test after each block. Not of tests on other ranks.
+  std::function<void(std::size_t test, double strain, double stress)> on_reading = nullptr;
+  const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
 };
 
 /// What lanes did: how many of them held a test, and how fast they went.

@@ -12,7 +12,7 @@
 #include "genesis/packing.hpp"
 #include "records/test_description.hpp"
 #include "study/experiment.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace phy::verification {
 namespace {
@@ -102,7 +102,7 @@ std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine, cons
   study::MachineOptions alone = machine;
   // Tests run side by side already, each on a thread of its own.
   alone.threads = 1;
-  study::ScheduleHooks hooks;
+  study::Hooks hooks;
   hooks.stop = stop;
   for_all(tests.size(), machine.threads, [&] {
     return [&](std::size_t i) {

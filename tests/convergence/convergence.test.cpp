@@ -10,7 +10,7 @@
 #include "records/assembly.hpp"
 #include "statics/uniaxial.hpp"
 #include "study/experiment.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace phy {
 namespace {

@@ -13,7 +13,7 @@
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
 #include "records/test_description.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 #include "verification/golden.hpp"
 
 namespace phy {

@@ -4,9 +4,10 @@
 
 #include "../program.hpp"
 #include "study/effects.hpp"
-#include "study/runner.hpp"
+#include "study/store_queue.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
+#include "study/worker.hpp"
 
 namespace phy {
 namespace {

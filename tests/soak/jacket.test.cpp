@@ -10,7 +10,7 @@
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "setting.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace phy {
 namespace {

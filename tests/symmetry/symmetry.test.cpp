@@ -11,7 +11,7 @@
 #include "analysis/analyse.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "study/scheduler.hpp"
+#include "study/worker.hpp"
 
 namespace phy {
 namespace {

@@ -1,5 +1,5 @@
 // Does a study give the same store whatever the threads, the company in the lanes, and the processes at it?
-#include "study/runner.hpp"
+#include "study/task_queue.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,15 @@
 #include "io/file.hpp"
 #include "records/test_description.hpp"
 #include "study/experiment.hpp"
-#include "study/scheduler.hpp"
+#include "study/store_queue.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
+#include "study/worker.hpp"
 
 namespace phy::study {
 namespace {
 
-class Runner : public InFolder {
+class Queues : public InFolder {
  protected:
   void SetUp() override {
     ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
@@ -30,15 +31,15 @@ class Runner : public InFolder {
     return make_plan(read_study(at("study.toml")), shard);
   }
   /// Progress at the end of a study by one worker.
-  static StudyProgress progress_after(const Plan& plan, Store& store) {
-    const StudyHooks none;
+  static Progress progress_after(const Plan& plan, Store& store) {
+    const Hooks none;
     StoreQueue queue(plan, store, none, 1);
     MachineOptions machine;
     machine.isa = engine::native_isa();
     work_at(queue, plan, machine);
     return queue.progress();
   }
-  static WorkReport work(const Plan& plan, Store& store, int threads, const StudyHooks& hooks = {}) {
+  static WorkReport work(const Plan& plan, Store& store, int threads, const Hooks& hooks = {}) {
     MachineOptions machine;
     machine.isa = engine::native_isa();
     machine.threads = threads;
@@ -51,7 +52,7 @@ const char* two_packings =
     "packings = [1, 2]\n[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n"
     "[[vary]]\nkey = \"engine.precision\"\nvalues = [\"double\", \"float\"]\n";
 
-TEST_F(Runner, ThreadsAndLanesChangeNothing) {
+TEST_F(Queues, ThreadsAndLanesChangeNothing) {
   const Plan p = plan(two_packings);
   Store one(at("1.sqlite")), four(at("4.sqlite"));
   work(p, one, 1);
@@ -60,17 +61,17 @@ TEST_F(Runner, ThreadsAndLanesChangeNothing) {
   EXPECT_EQ(hash_of(rows_of(p, one)), hash_of(rows_of(p, four)));
 }
 
-TEST_F(Runner, AWorkerIsGivenTheAngleThatItsLanesHold) {
+TEST_F(Queues, AWorkerIsGivenTheAngleThatItsLanesHold) {
   const Plan p = plan("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n");  // 45, 60 deg, intact
-  Store store(at("s.sqlite"));
-  const StudyHooks none;
-  StoreQueue queue(p, store, none, 2);
-  const std::size_t batch = queue.enter().batch;
+  PlanQueue queue(p, {}, 2);
+  const Assignment first = queue.enter();
+  EXPECT_EQ(first.n_tests, 4U) << "half of seven";
+  const std::size_t batch = first.batch;
   std::optional<std::size_t> one, two;
   std::vector<std::size_t> kinds_one, kinds_two;
   for (int i = 0; i < 3; ++i) {  // two workers in turn
     one = queue.take(batch, one), two = queue.take(batch, two);
-    kinds_one.push_back(p.tests[*one].kind), kinds_two.push_back(p.tests[*two].kind);
+    kinds_one.push_back(p.tests[*one].group), kinds_two.push_back(p.tests[*two].group);
   }
   EXPECT_EQ(std::set<std::size_t>(kinds_one.begin(), kinds_one.end()).size(), 1u);
   EXPECT_EQ(std::set<std::size_t>(kinds_two.begin(), kinds_two.end()).size(), 1u);
@@ -81,21 +82,19 @@ TEST_F(Runner, AWorkerIsGivenTheAngleThatItsLanesHold) {
   EXPECT_FALSE(queue.take(batch, last));
 }
 
-// Or the others would keep away from a kind that nobody is at any more.
-TEST_F(Runner, AWorkerThatLeavesIsAtNoKind) {
+// Or the others would keep away from a group that nobody is at any more.
+TEST_F(Queues, AWorkerThatLeavesIsAtNoGroup) {
   const Plan p = plan("[[vary]]\nkey = \"bedding.mu\"\nvalues = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7]\n");
-  Store store(at("s.sqlite"));
-  const StudyHooks none;
-  StoreQueue queue(p, store, none, 2);
+  PlanQueue queue(p, {}, 2);
   const std::size_t batch = queue.enter().batch;
   const auto one = queue.take(batch, {});
   queue.leave(batch, one);
   const std::size_t again = queue.enter().batch;
   const auto two = queue.take(again, {});
-  EXPECT_EQ(p.tests[*two].kind, p.tests[*one].kind) << "still the kind with most work";
+  EXPECT_EQ(p.tests[*two].group, p.tests[*one].group) << "still the group with most work";
 }
 
-TEST_F(Runner, ARowIsTheTestOfItsRecipeRunAlone) {
+TEST_F(Queues, ARowIsTheTestOfItsRecipeRunAlone) {
   const Plan p = plan(two_packings);
   Store store(at("s.sqlite"));
   work(p, store, 2);
@@ -123,7 +122,7 @@ void expect_rows_as_alone(const Plan& p, Store& store) {
 
 // All lanes of a group have one stiffness convention, masses of one kind, flat joints of one number of
 // elements (one and the same number shares its lanes): tests that differ in these may not share a batch.
-TEST_F(Runner, WhatAllLanesShareDoesNotMix) {
+TEST_F(Queues, WhatAllLanesShareDoesNotMix) {
   for (const char* study :
        {"[[vary]]\nkey = \"matrix.stiffness_convention\"\nvalues = [\"pfc31\", \"pfc5\"]\n",
         "[[vary]]\nkey = \"engine.grain_inertia\"\nvalues = [\"disc\", \"equal\"]\n",
@@ -139,7 +138,7 @@ TEST_F(Runner, WhatAllLanesShareDoesNotMix) {
 }
 
 // The file alone does not make the packing: its size and whether its overlaps carry stress are the recipe's.
-TEST_F(Runner, AnImportedPackingIsMadeForEverySize) {
+TEST_F(Queues, AnImportedPackingIsMadeForEverySize) {
   io::write_file(at("discs.txt"),
                  "x [m],y [m],r [m]\n0.002,0.002,0.001\n0.004,0.002,0.001\n0.003,0.0037,0.001\n");
   io::write_file(at("base.toml"),
@@ -148,7 +147,7 @@ TEST_F(Runner, AnImportedPackingIsMadeForEverySize) {
   EXPECT_EQ(p.batches.size(), 2u);
 }
 
-TEST_F(Runner, ShardsMergeToTheWhole) {
+TEST_F(Queues, ShardsMergeToTheWhole) {
   Store whole(at("whole.sqlite")), joined(at("joined.sqlite"));
   const Plan p = plan(two_packings);
   work(p, whole, 2);
@@ -163,23 +162,23 @@ TEST_F(Runner, ShardsMergeToTheWhole) {
   EXPECT_EQ(hash_of(rows_of(p, joined)), hash_of(rows_of(p, whole)));
 }
 
-TEST_F(Runner, TwoStudiesShareWhatIsTheSame) {
+TEST_F(Queues, TwoStudiesShareWhatIsTheSame) {
   Store store(at("s.sqlite"));
   work(plan("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1]\n"), store, 1);
   std::size_t n = 0;
-  StudyHooks hooks;
-  hooks.on_result = [&](const PlannedTest&, const TestResult&) { ++n; };
+  Hooks hooks;
+  hooks.on_result = [&](std::size_t, const TestResult&) { ++n; };
   work(plan("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n"), store, 1, hooks);
   EXPECT_EQ(n, 2u) << "the new level at two angles; the intact rock is known";
 }
 
-TEST_F(Runner, StopKeepsWhatIsFinishedAndGivesTheRestBack) {
+TEST_F(Queues, StopKeepsWhatIsFinishedAndGivesTheRestBack) {
   const Plan p = plan(two_packings);
   Store store(at("s.sqlite")), whole(at("whole.sqlite"));
   std::atomic<bool> stop{false};
-  StudyHooks hooks;
+  Hooks hooks;
   hooks.stop = &stop;
-  hooks.on_result = [&](const PlannedTest&, const TestResult&) { stop = true; };
+  hooks.on_result = [&](std::size_t, const TestResult&) { stop = true; };
   work(p, store, 1, hooks);
   EXPECT_GE(store.size(), 1u);
   EXPECT_LT(store.size(), p.tests.size());
@@ -189,11 +188,11 @@ TEST_F(Runner, StopKeepsWhatIsFinishedAndGivesTheRestBack) {
   EXPECT_EQ(hash_of(rows_of(p, store)), hash_of(rows_of(p, whole)));
 }
 
-TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
+TEST_F(Queues, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
   const Plan p =
       plan("design = \"full_factorial\"\n[[vary]]\nkey = \"test.max_strain\"\nvalues = [0.0005, 0.05]\n");
   Store store(at("s.sqlite"));
-  const StudyProgress now = progress_after(p, store);
+  const Progress now = progress_after(p, store);
   EXPECT_EQ(now.n_done, 6u);
   std::size_t n_short = 0, n_failed = 0;
   for (const StoredResult& row : store.rows()) {
@@ -207,19 +206,19 @@ TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
 }
 
 // Of discs cut from a packing that is given by its porosity.
-TEST_F(Runner, WorkIsCountedInTheGrainsThatRan) {
+TEST_F(Queues, WorkIsCountedInTheGrainsThatRan) {
   io::write_file(at("base.toml"),
                  "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nporosity = 0.16\nn_grains = 0\n"
                  "[test]\nkind = \"brazilian\"\nplaten_speed = \"0.2 m/s\"\n");
   const Plan p = plan("packings = [1, 2]\n");
   Store store(at("s.sqlite"));
-  const StudyProgress now = progress_after(p, store);
+  const Progress now = progress_after(p, store);
   EXPECT_GT(now.work, 0.0);
   EXPECT_EQ(now.work_new, now.work) << "all tests are finished";
 }
 
 // Discs beside the box cannot be adopted: that is an outcome of this point, not the end of the study.
-TEST_F(Runner, APackingThatCannotBeMadeIsAnOutcome) {
+TEST_F(Queues, APackingThatCannotBeMadeIsAnOutcome) {
   io::write_file(at("discs.csv"), "x [m],y [m],r [m]\n1,1,0.001\n");
   const Plan p = plan("[set]\n\"packing.seed\" = 3\n");
   Plan broken = p;
@@ -233,7 +232,7 @@ TEST_F(Runner, APackingThatCannotBeMadeIsAnOutcome) {
   }
 }
 
-TEST_F(Runner, TheTableHasARowPerSpecimenOfTheDesign) {
+TEST_F(Queues, TheTableHasARowPerSpecimenOfTheDesign) {
   const Plan p =
       plan("packings = [1, 2]\n[[vary]]\nkey = \"bedding.rule\"\nvalues = [\"zone\", \"crossing\"]\n");
   Store store(at("s.sqlite"));
@@ -247,7 +246,7 @@ TEST_F(Runner, TheTableHasARowPerSpecimenOfTheDesign) {
     EXPECT_NE(text.find(part), text.npos) << part;
 }
 
-TEST_F(Runner, TheTableHasWhatEachAngleWasLoadedWith) {
+TEST_F(Queues, TheTableHasWhatEachAngleWasLoadedWith) {
   const Plan p = plan(
       "[[vary]]\nkey = \"bedding.rule\"\nvalues = [\"zone\"]\n"
       "[by_angle]\n\"test.stop_at\" = [0.5, 0.6, 0.7]\n");
