@@ -85,7 +85,7 @@ Json keys_json() {
   for (const Field& f : recipe_fields()) {
     if (f.table != test_table) continue;
     Json key = field_json(f);
-    if (!f.only_of.empty()) key["only_of"] = f.only_of;
+    if (!f.test.empty()) key["only_of"] = f.test;
     keys.push_back(std::move(key));
   }
   return keys;

@@ -131,7 +131,6 @@ std::string_view take_line(std::string_view& text) {
 DiscFile parse_discs(std::string_view given, const std::string& where) {
   DiscFile file;
   BadLines bad;
-  std::vector<int>& lines = file.lines;
   const std::string plain = plain_text(given);
   std::string_view text = plain;
   bool header = false;
@@ -152,12 +151,12 @@ DiscFile parse_discs(std::string_view given, const std::string& where) {
     Disc d;
     std::string_view rest = line;
     if (take(rest, ',', d.x) && take(rest, ',', d.y) && take(rest, 0, d.r) && d.r > 0.0)
-      file.discs.push_back(d), lines.push_back(number);
+      file.discs.push_back(d), file.lines.push_back(number);
     else
       bad.add({at, "disc", std::string(line.substr(0, 80)), "three numbers x,y,r with r > 0", ""});
   }
   // After the discs are complete; the line numbers go along for the messages.
-  find_coincident(file.discs, lines, where, bad);
+  find_coincident(file.discs, file.lines, where, bad);
   if (bad.n > max_reported)
     bad.problems.push_back({where, "", "", "", std::to_string(bad.n - max_reported) + " more bad lines"});
   if (file.discs.empty() && bad.n == 0)
@@ -292,7 +291,7 @@ History parse_history(std::string_view text, const std::string& where) {
 
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where) {
   std::vector<CrackEvent> cracks;
-  std::string header = crack_header(TestKind());  // older folders: the same for every test
+  std::string header = crack_header(TestKind());
   for (const TestDescription* test : laboratory_tests())
     if (text.substr(0, text.find('\n')) == crack_header(*test)) header = crack_header(*test);
   each_line(text, where, header, [&](std::string_view line) {

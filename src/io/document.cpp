@@ -64,33 +64,8 @@ void Document::check() const {
   if (!problems.empty()) throw InputError(problems);
 }
 
-/// Gives a key of an earlier version its name of today. One that has both is left, and then not known.
-void Document::rename_former(TomlValue& table, const Field& field) {
-  for (TomlValue::Key& key : table.keys)
-    if (key.name == field.former && table.find(field.key) == nullptr) {
-      notes.push_back(at_line(where_, key.line) + ": " + field.path_of(field.former) + " is called " +
-                      field.key + " now");
-      key.name = field.key;
-    }
-}
-
-void Document::rename_former_keys() {
-  for (const Field& f : schema_.fields) {
-    if (f.former.empty()) continue;
-    if (f.table.empty()) rename_former(root_, f);
-    for (std::size_t i = 0; i < root_.keys.size(); ++i) {
-      if (root_.keys[i].name != f.table) continue;
-      TomlValue& node = root_.items[i];
-      if (node.kind == Kind::table) rename_former(node, f);
-      if (node.kind == Kind::list)
-        for (TomlValue& of_list : node.items) rename_former(of_list, f);
-    }
-  }
-}
-
 void Document::check_tables() {
   refuse_other_kind(root_, where_, schema_.name);
-  rename_former_keys();
   check_keys(root_, "", "");
   // Each table of the schema once: several fields share one.
   std::set<std::string> names;
@@ -232,14 +207,14 @@ bool Document::is_known(const std::string& path) const {
   return v != nullptr ? v->read : all_lines_known_;
 }
 
-double Document::number(const std::string& path, double otherwise) const {
+double Document::number(const std::string& path, double by_default) const {
   const Value* v = value_at(path);
-  return v != nullptr && v->read ? v->number : otherwise;
+  return v != nullptr && v->read ? v->number : by_default;
 }
 
-std::string Document::text(const std::string& path, const std::string& otherwise) const {
+std::string Document::text(const std::string& path, const std::string& by_default) const {
   const Value* v = value_at(path);
-  return v != nullptr && v->read ? v->text : otherwise;
+  return v != nullptr && v->read ? v->text : by_default;
 }
 
 std::vector<double> Document::list(const std::string& path) const {

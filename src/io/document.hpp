@@ -46,7 +46,7 @@ class Document {
   Document& operator=(const Document&) = delete;
 
   std::vector<Problem> problems;
-  std::vector<std::string> notes;  ///< keys under names of earlier versions
+  std::vector<std::string> notes;  ///< what its reader wants the user to know
   void report_problem(const TomlValue& value, const std::string& path, const std::string& expected,
                       const std::string& remedy);
   /// Throws InputError with all problems, if there are any.
@@ -61,9 +61,9 @@ class Document {
   /// Read well; or not given, and none of the lines that were not understood can have been meant to give it.
   bool is_known(const std::string& path) const;
 
-  /// Values that were read well; of the others `otherwise`. A choice is its place in the list.
-  double number(const std::string& path, double otherwise) const;
-  std::string text(const std::string& path, const std::string& otherwise) const;
+  /// Values that were read well; of the others `by_default`. A choice is its place in the list.
+  double number(const std::string& path, double by_default) const;
+  std::string text(const std::string& path, const std::string& by_default) const;
   std::vector<double> list(const std::string& path) const;
   /// What the file says it is called; without a word the name of the file, which has to be plain text then.
   std::string name();
@@ -99,8 +99,6 @@ class Document {
   bool all_lines_known_ = true;  // every line of the file is TOML, and belongs to a key that we know
 
   void check_tables();
-  void rename_former(TomlValue& table, const Field& field);
-  void rename_former_keys();
   void check_keys(const TomlValue& table, const std::string& name, const std::string& prefix);
   void read_values();
   void read(const Field& field, const TomlValue& value, const std::string& path);

@@ -49,9 +49,7 @@ void read_packing(const Json& j, SpecimenRecord& record) {
   r.coordination = number(p.at("coordination"));
   r.fabric = number(p.at("fabric"));
   r.stress_left = number(p.at("stress_left [Pa]"));
-  const char* rattlers =
-      p.contains("n_rattlers") ? "n_rattlers" : "n_floaters";  // the latter in older folders
-  r.n_rattlers = whole_number<decltype(r.n_rattlers)>(p.at(rattlers));
+  r.n_rattlers = whole_number<decltype(r.n_rattlers)>(p.at("n_rattlers"));
   r.mean_overlap = number(p.at("mean_overlap"));
   r.unbalanced = number(p.at("unbalanced"));
   for (const Json& b : j.at("bedding")) {
@@ -195,7 +193,7 @@ SpecimenRecord read_result(const std::string& folder) {
   record.result.cracks = parse_cracks(read_written(path("cracks.csv")), path("cracks.csv"));
   // Not read, as result.json has the recipe, but people do: it must say what was run.
   if (fs::exists(path("recipe.toml"))) read_written(path("recipe.toml"));
-  // Runs of older versions have no scene.
+  // It is only a picture: whoever removes it to save room keeps the numbers.
   if (fs::exists(path("scene.bin")))
     record.scene = unpack_scene(read_written(path("scene.bin")), path("scene.bin"));
   return record;

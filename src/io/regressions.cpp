@@ -17,24 +17,18 @@ constexpr Dimension dimensions[] = {Dimension::none,      Dimension::length, Dim
                                     Dimension::stiffness, Dimension::angle,  Dimension::speed,
                                     Dimension::density};
 
-Field line_key(FieldKind kind, const char* key, const char* meaning) {
-  Field f;
-  f.kind = kind, f.table = "line", f.key = key, f.meaning = meaning;
-  // Published lines may have any sign and size.
-  f.min = -unbounded, f.max = unbounded;
-  return f;
-}
-
 Fields regression_fields() {
-  Field R2 = line_key(FieldKind::number, "R2", "its coefficient of determination, where it is given");
-  R2.min = 0.0, R2.max = 1.0;
-  return {
-      line_key(FieldKind::text, "source", "who found it, and where it stands"),
-      line_key(FieldKind::text, "number", "what depends on the key, as results name it: \"K_n\", \"ucs\""),
-      line_key(FieldKind::text, "key", "a key of the recipe: \"bedding.k_n\""),
-      line_key(FieldKind::number, "slope", "SI units of the number per SI unit of the key"),
-      line_key(FieldKind::value, "intercept", "where the key is 0, with its unit"),
-      R2};
+  using K = FieldKind;
+  // Published lines may have any sign and size.
+  const auto line = [](K kind, const char* key, const char* meaning) {
+    return make_field(kind, "line", key, meaning).within(-unbounded, unbounded);
+  };
+  return {line(K::text, "source", "who found it, and where it stands"),
+          line(K::text, "number", "what depends on the key, as results name it: \"K_n\", \"ucs\""),
+          line(K::text, "key", "a key of the recipe: \"bedding.k_n\""),
+          line(K::number, "slope", "SI units of the number per SI unit of the key"),
+          line(K::value, "intercept", "where the key is 0, with its unit"),
+          line(K::number, "R2", "its coefficient of determination, where it is given").within(0.0, 1.0)};
 }
 
 /// A number with any unit.

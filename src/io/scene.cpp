@@ -171,9 +171,9 @@ Json moment_json(const Moment& m, TestKind kind) {
 template <class Moment>
 void read_moment(const Json& j, Moment& m) {
   j.at("step").get_to(m.step);
-  TestKind kind;  // a strain in every scene of before
+  TestKind kind;
   for (const TestDescription* test : laboratory_tests())
-    // The key names the test; scenes of older versions have a strain.
+    // The key of the loading names the kind of test.
     if (j.contains(loading_key(*test))) kind = *test;
   j.at(loading_key(kind)).get_to(m.axial_strain);
   j.at(stress_key(kind)).get_to(m.axial_stress);
@@ -221,22 +221,28 @@ void read_links(SectionReader& r, std::vector<SceneLink>& links, std::size_t n_d
   }
 }
 
-Scene read_scene(std::string_view bytes) {
-  const std::size_t end = bytes.find('\n');
-  if (end == bytes.npos) throw std::out_of_range("no header");
-  const Json head = parse_json<Json>(bytes.substr(0, end));
-  if (head.at("format") != scene_format) throw std::out_of_range("another version of the format");
+/// The stream behind the header, which says how long it is.
+std::string plain_stream(std::string_view compressed, const Json& head) {
   const auto size = whole_number<std::size_t>(head.at("size"));
   // The size in the header bounds what is unpacked: a few bytes can unpack to gigabytes.
   if (size > largest_file) throw std::out_of_range("more than 1 GiB");
-  const std::optional<std::string> plain = inflated(bytes.substr(end + 1), size);
+  const std::optional<std::string> plain = inflated(compressed, size);
   if (!plain || plain->size() != size) throw std::out_of_range("the compressed part is damaged");
   // Every disc and link has three bytes at least: what the header says is held against that before it is made
   // room.
   for (const char* count : {"n_discs", "n_links"})
     if (whole_number<std::size_t>(head.at(count)) > size / 3)
       throw std::out_of_range(std::string(count) + " beyond the stream");
-  SectionReader r{*plain, head.at("sections")};
+  return *plain;
+}
+
+Scene read_scene(std::string_view bytes) {
+  const std::size_t end = bytes.find('\n');
+  if (end == bytes.npos) throw std::out_of_range("no header");
+  const Json head = parse_json<Json>(bytes.substr(0, end));
+  if (head.at("format") != scene_format) throw std::out_of_range("another version of the format");
+  const std::string plain = plain_stream(bytes.substr(end + 1), head);
+  SectionReader r{plain, head.at("sections")};
   Scene scene;
   scene.width = side_in(head, "width [m]"), scene.height = side_in(head, "height [m]");
   scene.discs.resize(head.at("n_discs").get<std::size_t>());

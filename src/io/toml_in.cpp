@@ -17,22 +17,6 @@
 namespace phy::io {
 namespace {
 
-/// The table [sweep] of recipes before there were studies by the direct solution. Completed recipes of that
-/// time hold it with an empty list of factors, where it has no effect.
-void take_out_sweep(TomlValue& root, const std::string& where, std::vector<Problem>& problems) {
-  const auto key =
-      std::find_if(root.keys.begin(), root.keys.end(), [](const auto& k) { return k.name == "sweep"; });
-  if (key == root.keys.end()) return;
-  const auto item = root.items.begin() + (key - root.keys.begin());
-  const TomlValue* factors = item->find("factors");
-  // A misspelt or missing list is not taken for an empty one: what a user writes has an effect or is refused.
-  if (factors == nullptr || factors->kind != TomlValue::Kind::list || !factors->items.empty())
-    problems.push_back({at_line(where, key->line), "sweep", "", "a study with solver = \"direct\"",
-                        "write a study file with [[vary]] key = \"bedding.k_n\", times = [0.5, 1, 2] and run "
-                        "`phyllite study`: examples/paper/elastic.toml"});
-  root.items.erase(item), root.keys.erase(key);
-}
-
 /// Studies and rocks name a recipe, no recipe does. With no other key of theirs it may be either.
 void refuse_named_recipe(const TomlValue& root, const std::string& where) {
   refuse_other_kind(root, where, recipe_schema().name);
@@ -124,7 +108,7 @@ std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& wher
                           std::string("write ") + key + " = \"" + length(box) + "\" under [specimen]"});
   for (Problem& p : misplaced_discs(file, recipe)) problems.push_back(std::move(p));
   const std::int64_t n = recipe.packing.n_grains, usual = Recipe{}.packing.n_grains;
-  // Completed recipes of earlier versions hold the default beside the file.
+  // A completed recipe holds the default beside the file.
   if (n != usual && n > 0 && n != static_cast<std::int64_t>(file.discs.size()))
     problems.push_back({where, "packing.n_grains", std::to_string(n),
                         "no number of grains beside packing.file",
@@ -156,7 +140,6 @@ namespace {
 /// `problems`: what is known to be wrong with it.
 Recipe recipe_of_tree(TomlValue root, const std::string& where, std::vector<Problem> problems) {
   refuse_named_recipe(root, where);
-  take_out_sweep(root, where, problems);
   const bool empty = root.keys.empty();
   Document file(std::move(root), where, recipe_schema(), std::move(problems));
   Recipe recipe;

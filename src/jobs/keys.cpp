@@ -11,7 +11,7 @@ namespace {
 
 std::string explanation(const Field& f) {
   std::string text = fmt::format("{}\n  meaning   {}\n  allowed   {}\n", f.path(), f.meaning, range_text(f));
-  if (!f.otherwise.empty()) text += fmt::format("  default   {}\n", f.otherwise);
+  if (!f.default_text.empty()) text += fmt::format("  default   {}\n", f.default_text);
   if (f.dimension != Dimension::none) text += fmt::format("  units     {}\n", unit_names(f.dimension));
   if (!f.pfc_name.empty()) text += fmt::format("  in PFC    {}\n", f.pfc_name);
   return text;
@@ -29,8 +29,7 @@ std::string explain(const std::vector<const io::Schema*>& schemas, const std::st
     for (const io::Schema* schema : schemas)
       for (const Field& f : schema->fields)
         if (in_pfc ? has_pfc_name(f, word) || foreign_word(schema->fields, word, f.table).field == &f
-                   : f.path() == word || f.key == word ||
-                         (!f.former.empty() && (f.former == word || f.path_of(f.former) == word)))
+                   : f.path() == word || f.key == word)
           text += explanation(f);
     if (!text.empty()) return text;
   }
@@ -61,7 +60,7 @@ std::string reference_markdown(const io::Schema& schema) {
       text += fmt::format("\n## {}\n\n| key | default | allowed | meaning | PFC |\n|---|---|---|---|---|\n",
                           table.empty() ? "top level" : schema.in_brackets(table));
     }
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", f.key, in_code(f.otherwise), range_text(f),
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", f.key, in_code(f.default_text), range_text(f),
                         f.meaning, f.pfc_name);
   }
   return text;

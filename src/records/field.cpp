@@ -42,6 +42,7 @@ bool within_range(const Field& f, double value) {
 }
 
 bool has_pfc_name(const Field& f, const std::string& word) {
+  // A field may have several names there, "emod, E_c": the word must be one of them, not a part of one.
   const std::size_t at = word.empty() ? std::string::npos : f.pfc_name.find(word);
   if (at == std::string::npos) return false;
   const auto part_of_name = [&](std::size_t i) {
@@ -52,10 +53,15 @@ bool has_pfc_name(const Field& f, const std::string& word) {
 }
 
 const Field* find_field(const Fields& fields, const std::string& path) {
-  const auto it = std::find_if(fields.begin(), fields.end(), [&](const Field& f) {
-    return f.path() == path || (!f.former.empty() && f.path_of(f.former) == path);
-  });
+  const auto it =
+      std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.path() == path; });
   return it == fields.end() ? nullptr : &*it;
+}
+
+Field make_field(FieldKind kind, const char* table, const char* key, const char* meaning) {
+  Field f;
+  f.kind = kind, f.table = table, f.key = key, f.meaning = meaning;
+  return f;
 }
 
 }  // namespace phy

@@ -4,6 +4,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/units.hpp"
@@ -42,24 +43,30 @@ struct Field {
   std::vector<std::string> choices;
   std::string meaning;
   std::string pfc_name;
-  std::string former;     ///< its name in earlier versions: accepted, with a note
-  std::string otherwise;  ///< the default, as in a file; empty: there is none, or `meaning` tells
+  std::string default_text;  ///< as in a file; empty: there is none, or `meaning` says it
 
   // Of a key of the recipe: the one laboratory test that has it (recipes of other tests are written, and told
-  // apart, without it; empty: every recipe has it), and its place there.
-  std::string only_of;
-  // Of a key that recipes had not from the start: written only where it is not as by default.
-  bool quiet = false;
+  // apart, without it; empty: every recipe has it), whether it is left out of a file where it is as by
+  // default, and its place in the recipe.
+  std::string test;
+  bool omit_default = false;
   std::function<double(const Recipe&, std::size_t)> get;
   std::function<void(Recipe&, std::size_t, double)> set;
   std::function<std::string(const Recipe&)> get_text;
   std::function<void(Recipe&, const std::string&)> set_text;
   std::function<std::vector<double>&(Recipe&)> list;
 
-  std::string path() const { return path_of(key); }
-  std::string path_of(const std::string& name) const { return table.empty() ? name : table + "." + name; }
+  std::string path() const { return table.empty() ? key : table + "." + key; }
+
+  // For the lists, where one statement gives a key all that it has.
+  Field& within(double low, double high) { return min = low, max = high, *this; }
+  Field& one_of(std::vector<std::string> words) { return choices = std::move(words), max = unbounded, *this; }
+  Field& by_default(std::string text) { return default_text = std::move(text), *this; }
 };
 using Fields = std::vector<Field>;
+
+/// A key without bounds, of the top level where `table` is "".
+Field make_field(FieldKind kind, const char* table, const char* key, const char* meaning);
 
 /// "0 deg <= value < 180 deg", "one of zone, crossing", ...
 std::string range_text(const Field& field);
@@ -67,7 +74,7 @@ std::string range_text(const Field& field);
 bool within_range(const Field& field, double value);
 /// True if `word` is one of the names of the field in PFC.
 bool has_pfc_name(const Field& field, const std::string& word);
-/// The field of that path, or whose former path it is; nullptr if there is none.
+/// The field of that path; nullptr if there is none.
 const Field* find_field(const Fields& fields, const std::string& path);
 
 }  // namespace phy

@@ -20,9 +20,14 @@ const char* to_string(Grade grade) {
   return "";
 }
 
+namespace {
+
+const std::vector<std::string> poisson = {"nu", "nu_platen"};
+constexpr const char* elastic_instead = "`phyllite elastic` gives E and nu of the rock before it cracks";
+
+}  // namespace
+
 const std::vector<QualityLimit>& quality_limits() {
-  const std::vector<std::string> poisson = {"nu", "nu_platen"};
-  const char* const elastic_instead = "`phyllite elastic` gives E and nu of the rock before it cracks";
   static const std::vector<QualityLimit> limits = {
       {"porosity", true, 0.05, 0.0, "the discs lie on top of each other",
        "put fewer discs into the box (packing.n_grains, packing.porosity or the imported file)"},

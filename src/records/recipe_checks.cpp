@@ -19,6 +19,17 @@ constexpr std::int64_t min_grains = 16;     // fewer do not settle into a packin
 
 using Paths = std::vector<std::string>;
 
+/// The paths of `these` with `more` behind them.
+Paths with(Paths these, const Paths& more) {
+  these.insert(these.end(), more.begin(), more.end());
+  return these;
+}
+// An imported packing brings its own grains: what the recipe says of them counts without a file only.
+const Paths radii = {"packing.radius_min", "packing.radius_max", "packing.file"};
+const Paths box = {"specimen.width", "specimen.height"};
+const Paths ratios = {"matrix.stiffness_ratio", "matrix.tension_ratio", "matrix.cohesion_ratio",
+                      "matrix.cohesion_oblique"};
+
 /// Collects problems between keys; one function per table. A check names all keys that it compares and is
 /// left out if one of them could not be read: what it would say is about a default that nobody wrote.
 class CrossChecks {
@@ -30,7 +41,7 @@ class CrossChecks {
   std::vector<Problem> run() {
     if (r_.packing.file.empty()) packing();
     matrix();
-    for (std::size_t i = 0; i < r_.bedding.size(); ++i) bedding(i);
+    for (set_ = 0; set_ < r_.bedding.size(); ++set_) bedding(r_.bedding[set_]);
     planes_that_scatter();
     test();
     return std::move(problems_);
@@ -40,41 +51,45 @@ class CrossChecks {
   const Recipe& r_;
   const std::function<std::string(const std::string&)>& where_;
   const std::function<bool(const std::string&)>& is_known_;
+  std::size_t set_ = 0;  // of bedding, that is looked at: "bedding.k_n" is its key
   std::vector<Problem> problems_;
 
-  /// `paths`: the key that is told, then those that it is held against.
-  void report_problem(const Paths& paths, const std::string& value, const std::string& expected,
-                      const std::string& remedy) {
+  /// `paths`: the key that is reported, with its value, then those that it is held against.
+  void report_problem(Paths paths, const std::string& expected, const std::string& remedy) {
+    const Field& f = *find_field(recipe_fields(), paths.front());
+    std::string value = print_field(f, r_, set_);
+    std::erase(value, '"');
+    report_value(std::move(paths), value, expected, remedy);
+  }
+  void report_value(Paths paths, const std::string& value, const std::string& expected,
+                    const std::string& remedy) {
+    for (std::string& path : paths)
+      if (path.starts_with("bedding.")) path.insert(7, "[" + std::to_string(set_) + "]");
     if (std::all_of(paths.begin(), paths.end(), is_known_))
       problems_.push_back({where_(paths.front()), paths.front(), value, expected, remedy});
   }
   static std::string length(double v) { return print_quantity(v, Dimension::length); }
+  bool has_own_grains() const { return r_.packing.file.empty(); }
 
   void packing() {
     const PackingRecipe& p = r_.packing;
-    if (p.initial_stress == InitialStress::isotropic && !(p.isotropic_stress > 0.0))
-      report_problem({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
-                     print_quantity(p.isotropic_stress, Dimension::pressure), "above 0 with isotropic",
-                     "give the stress, for example \"0.5 MPa\"");
-    if (p.initial_stress == InitialStress::stress_free && p.isotropic_stress > 0.0)
-      report_problem({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
-                     print_quantity(p.isotropic_stress, Dimension::pressure), "0 with stress_free",
-                     "leave it out, or set initial_stress = \"isotropic\"");
+    const bool isotropic = p.initial_stress == InitialStress::isotropic;
+    const Paths stress = {"packing.isotropic_stress", "packing.initial_stress", "packing.file"};
+    if (isotropic && !(p.isotropic_stress > 0.0))
+      report_problem(stress, "above 0 with isotropic", "give the stress, for example \"0.5 MPa\"");
+    if (!isotropic && p.isotropic_stress > 0.0)
+      report_problem(stress, "0 with stress_free", "leave it out, or set initial_stress = \"isotropic\"");
     if (p.radius_min > p.radius_max)
-      return report_problem({"packing.radius_min", "packing.radius_max", "packing.file"},
-                            length(p.radius_min), "at most radius_max = " + length(p.radius_max),
-                            "exchange the two");
+      return report_problem(radii, "at most radius_max = " + length(p.radius_max), "exchange the two");
     const SpecimenSize& size = r_.specimen;
     const double least = min_grains_across * (p.radius_min + p.radius_max);
     if (std::min(size.width, size.height) < least)
-      report_problem({size.width < size.height ? "specimen.width" : "specimen.height", "specimen.width",
-                      "specimen.height", "packing.radius_min", "packing.radius_max", "packing.file"},
-                     length(std::min(size.width, size.height)),
-                     "at least ten mean grain diameters, " + length(least),
-                     "use smaller grains or a larger specimen");
+      report_problem(
+          with({size.width < size.height ? "specimen.width" : "specimen.height"}, with(box, radii)),
+          "at least ten mean grain diameters, " + length(least), "use smaller grains or a larger specimen");
     if ((p.n_grains > 0) == (p.porosity > 0.0))
       return report_problem({"packing.n_grains", "packing.porosity", "packing.file"},
-                            std::to_string(p.n_grains), "exactly one of n_grains and porosity",
+                            "exactly one of n_grains and porosity",
                             p.n_grains > 0 ? "set the other one to 0 or leave it out" : "give one of them");
     p.n_grains > 0 ? grains_fill_the_box() : porosity_gives_a_number();
   }
@@ -84,12 +99,11 @@ class CrossChecks {
     const double smallest = n * pi * p.radius_min * p.radius_min,
                  largest = n * pi * p.radius_max * p.radius_max;
     if (p.n_grains < min_grains)
-      report_problem({"packing.n_grains", "packing.file"}, std::to_string(p.n_grains),
-                     "0, or at least " + std::to_string(min_grains), "");
+      report_problem({"packing.n_grains", "packing.file"}, "0, or at least " + std::to_string(min_grains),
+                     "");
+    // By discs that are all the smallest, or all the largest: only what cannot fill the box is refused.
     else if (smallest > 1.05 * area || largest < 0.7 * area)
-      report_problem({"packing.n_grains", "specimen.width", "specimen.height", "packing.radius_min",
-                      "packing.radius_max", "packing.file"},
-                     std::to_string(p.n_grains), "", how_to_fill());
+      report_problem(with({"packing.n_grains"}, with(box, radii)), "", how_to_fill());
   }
   /// "500 discs of 0.665 mm fill 6 % of 38 mm x 76 mm. About 7500 fill it; or make them larger: ..."
   std::string how_to_fill() const {
@@ -119,11 +133,9 @@ class CrossChecks {
     const double solid = (1.0 - p.porosity) * r_.specimen.width * r_.specimen.height;
     const double n = solid / (pi * p.mean_square_radius());
     if (n > static_cast<double>(max_recipe_grains))
-      report_problem({"packing.porosity", "specimen.width", "specimen.height", "packing.radius_min",
-                      "packing.radius_max", "packing.distribution", "packing.file"},
-                     print_number(p.porosity),
-                     "at most " + std::to_string(max_recipe_grains) + " grains; this gives some " +
-                         std::to_string(static_cast<std::int64_t>(std::min(n, 1e15))),
+      report_problem(with({"packing.porosity", "packing.distribution"}, with(box, radii)),
+                     fmt::format("at most {} grains; this gives some {:.0f}", max_recipe_grains,
+                                 std::floor(std::min(n, 1e15))),
                      "use larger grains or a smaller specimen");
   }
 
@@ -132,10 +144,9 @@ class CrossChecks {
     const std::string model = print_field(*find_field(recipe_fields(), "matrix.model"), r_, 0);
     for (const char* key : keys) {
       const Field& f = *find_field(recipe_fields(), key);
-      const std::string value = print_field(f, r_, 0);
-      if (value != f.otherwise)
-        report_problem({key, "matrix.model"}, value, "nothing where model = " + model,
-                       "leave it out, or at its default of " + f.otherwise);
+      if (print_field(f, r_, 0) != f.default_text)
+        report_value({key, "matrix.model"}, print_field(f, r_, 0), "nothing where model = " + model,
+                     "leave it out, or at its default of " + f.default_text);
     }
   }
 
@@ -146,10 +157,10 @@ class CrossChecks {
     unused({"matrix.stiffness_convention", "matrix.E_b", "matrix.bond_ks_over_kn",
             "matrix.moment_contribution", "matrix.stiffness_ratio"});
     if ((m.gapped_fraction > 0.0) != (m.initial_gap > 0.0))
-      report_problem({"matrix.gapped_fraction", "matrix.initial_gap"}, print_number(m.gapped_fraction),
+      report_problem({"matrix.gapped_fraction", "matrix.initial_gap"},
                      "above 0 together with initial_gap, or both 0", "give both or none");
     if (m.gapped_fraction + m.unbonded_fraction > 0.9)
-      report_problem({"matrix.gapped_fraction", "matrix.unbonded_fraction"}, print_number(m.gapped_fraction),
+      report_problem({"matrix.gapped_fraction", "matrix.unbonded_fraction"},
                      "at most 0.9 together with unbonded_fraction", "lower one of them");
   }
 
@@ -157,85 +168,76 @@ class CrossChecks {
     const MatrixRecipe& m = r_.matrix;
     flat_joint();
     if (m.phi > 0.0 && m.shear_strength == ShearStrength::constant)
-      report_problem({"matrix.phi", "matrix.shear_strength"}, print_quantity(m.phi, Dimension::angle),
-                     "0 deg with shear_strength = \"constant\"",
+      report_problem({"matrix.phi", "matrix.shear_strength"}, "0 deg with shear_strength = \"constant\"",
                      "leave it out, or set shear_strength = \"cohesion_friction\"");
     if (m.foliation != 0.0 && !m.directional())
-      report_problem({"matrix.foliation", "matrix.stiffness_ratio", "matrix.tension_ratio",
-                      "matrix.cohesion_ratio", "matrix.cohesion_oblique"},
-                     print_quantity(m.foliation, Dimension::angle), "0 deg where all ratios are 1",
+      report_problem(with({"matrix.foliation"}, ratios), "0 deg where all ratios are 1",
                      "leave it out, or give the matrix directions by one of its ratios");
     const double grain = 2.0 * r_.packing.radius_max;
-    if (m.bond_gap > grain && r_.packing.file.empty())
-      report_problem({"matrix.bond_gap", "packing.radius_max", "packing.file"}, length(m.bond_gap),
+    if (m.bond_gap > grain && has_own_grains())
+      report_problem({"matrix.bond_gap", "packing.radius_max", "packing.file"},
                      "at most the largest grain diameter, " + length(grain),
                      "wider bonds would reach past a neighbour");
   }
 
-  void bedding(std::size_t i) {
-    const BeddingRecipe& b = r_.bedding[i];
-    const double diameter = 2.0 * r_.packing.radius_max;
-    const std::string set = "bedding[" + std::to_string(i) + "].";
-    if (!b.has_planes()) dispersed(b, set);
-    layers(b, set);
-    if (b.rule == BeddingRule::zone && b.zone_thickness >= b.spacing)
-      report_problem({set + "zone_thickness", set + "spacing", set + "rule"}, length(b.zone_thickness),
-                     "below the spacing of " + length(b.spacing), "use a thinner zone or a wider spacing");
-    else if (b.rule == BeddingRule::zone && b.zone_thickness >= b.narrowest())
-      report_problem({set + "spacing_sd", set + "zone_thickness", set + "spacing", set + "rule"},
-                     print_number(b.spacing_sd),
-                     "planes more than zone_thickness = " + length(b.zone_thickness) +
-                         " apart, three standard deviations below the mean spacing, too",
-                     "lower spacing_sd, use a thinner zone or a wider spacing");
-    const bool too_near = b.has_planes() && r_.packing.file.empty() && b.narrowest() < diameter;
-    if (too_near && b.spacing < diameter)
-      report_problem({set + "spacing", "packing.radius_max", "packing.file"}, length(b.spacing),
-                     "at least the largest grain diameter, " + length(diameter),
-                     "use a wider spacing or smaller grains");
-    else if (too_near)
-      report_problem({set + "spacing_sd", set + "spacing", "packing.radius_max", "packing.file"},
-                     print_number(b.spacing_sd),
-                     "planes at least the largest grain diameter, " + length(diameter) +
-                         ", apart, three standard deviations below the mean spacing, too",
-                     "lower spacing_sd, use a wider spacing or smaller grains");
+  void bedding(const BeddingRecipe& b) {
+    if (!b.has_planes()) dispersed();
+    layers(b);
+    planes_apart(b);
     if (tan_degrees(b.psi) > b.mu)
-      report_problem({set + "psi", set + "mu"}, print_quantity(b.psi, Dimension::angle),
-                     "tan(psi) <= mu = " + print_number(b.mu),
+      report_problem({"bedding.psi", "bedding.mu"}, "tan(psi) <= mu = " + print_number(b.mu),
                      "a joint that dilates more than it rubs would create energy; lower psi or raise mu");
   }
 
-  /// What an oriented set has not is refused: whoever writes it expects planes.
-  void dispersed(const BeddingRecipe& b, const std::string& set) {
-    const BeddingRecipe usual;
-    const auto refuse = [&](const char* key, const std::string& value) {
-      report_problem({set + key, set + "rule"}, value,
-                     "nothing with rule = \"oriented\", which has no planes",
-                     "leave it out, or use the rule zone or crossing");
-    };
-    if (b.spacing != usual.spacing) refuse("spacing", length(b.spacing));
-    if (b.offset != usual.offset) refuse("offset", length(b.offset));
-    if (b.spacing_sd != usual.spacing_sd) refuse("spacing_sd", print_number(b.spacing_sd));
-    if (b.theta_sd != usual.theta_sd) refuse("theta_sd", print_quantity(b.theta_sd, Dimension::angle));
-    if (b.persistence != usual.persistence) refuse("persistence", print_number(b.persistence));
-    if (b.patch_length != usual.patch_length) refuse("patch_length", length(b.patch_length));
-    if (b.bridges != usual.bridges) refuse("bridges", "false");
-    if (b.layer_thickness != usual.layer_thickness) refuse("layer_thickness", length(b.layer_thickness));
+  /// A contact belongs to one plane: planes are farther apart than zones are thick and grains are wide. Where
+  /// planes scatter this holds three standard deviations below the mean spacing, too.
+  void planes_apart(const BeddingRecipe& b) {
+    const std::string also = ", three standard deviations below the mean spacing, too";
+    const double diameter = 2.0 * r_.packing.radius_max;
+    const bool zone = b.rule == BeddingRule::zone;
+    if (zone && b.zone_thickness >= b.spacing)
+      report_problem({"bedding.zone_thickness", "bedding.spacing", "bedding.rule"},
+                     "below the spacing of " + length(b.spacing), "use a thinner zone or a wider spacing");
+    else if (zone && b.zone_thickness >= b.narrowest())
+      report_problem({"bedding.spacing_sd", "bedding.zone_thickness", "bedding.spacing", "bedding.rule"},
+                     "planes more than zone_thickness = " + length(b.zone_thickness) + " apart" + also,
+                     "lower spacing_sd, use a thinner zone or a wider spacing");
+    if (!b.has_planes() || !has_own_grains() || b.narrowest() >= diameter) return;
+    if (b.spacing < diameter)
+      report_problem({"bedding.spacing", "packing.radius_max", "packing.file"},
+                     "at least the largest grain diameter, " + length(diameter),
+                     "use a wider spacing or smaller grains");
+    else
+      report_problem({"bedding.spacing_sd", "bedding.spacing", "packing.radius_max", "packing.file"},
+                     "planes at least the largest grain diameter, " + length(diameter) + ", apart" + also,
+                     "lower spacing_sd, use a wider spacing or smaller grains");
   }
-  void layers(const BeddingRecipe& b, const std::string& set) {
+
+  /// What an oriented set has not is refused: whoever writes it expects planes.
+  void dispersed() {
+    for (const char* path :
+         {"bedding.spacing", "bedding.offset", "bedding.spacing_sd", "bedding.theta_sd",
+          "bedding.persistence", "bedding.patch_length", "bedding.bridges", "bedding.layer_thickness"}) {
+      const Field& f = *find_field(recipe_fields(), path);
+      if (print_field(f, r_, set_) != f.default_text)
+        report_problem({path, "bedding.rule"}, "nothing with rule = \"oriented\", which has no planes",
+                       "leave it out, or use the rule zone or crossing");
+    }
+  }
+  void layers(const BeddingRecipe& b) {
     if (b.has_planes() && b.layer_thickness >= b.narrowest())
-      report_problem({set + "layer_thickness", set + "spacing", set + "spacing_sd", set + "rule"},
-                     length(b.layer_thickness), "below the least spacing, " + length(b.narrowest()),
+      report_problem({"bedding.layer_thickness", "bedding.spacing", "bedding.spacing_sd", "bedding.rule"},
+                     "below the least spacing, " + length(b.narrowest()),
                      "use thinner layers, or make them the matrix and the rest the layers");
-    for (const auto& [key, value] :
-         {std::pair{"layer_stiffness", b.layer_stiffness}, std::pair{"layer_strength", b.layer_strength}})
+    for (const auto& [path, value] : {std::pair{"bedding.layer_stiffness", b.layer_stiffness},
+                                      std::pair{"bedding.layer_strength", b.layer_strength}})
       if (value != 1.0 && b.layer_thickness == 0.0)
-        report_problem({set + key, set + "layer_thickness"}, print_number(value), "1 without layers",
-                       "give layer_thickness");
+        report_problem({path, "bedding.layer_thickness"}, "1 without layers", "give layer_thickness");
     if (b.layer_stiffness != 1.0 && r_.matrix.model == MatrixModel::flat_joint)
-      report_problem({set + "layer_stiffness", "matrix.model"}, print_number(b.layer_stiffness),
-                     "1 with model = \"flat_joint\"", "layers of flat joints differ by layer_strength only");
+      report_problem({"bedding.layer_stiffness", "matrix.model"}, "1 with model = \"flat_joint\"",
+                     "layers of flat joints differ by layer_strength only");
     if (b.unjointed() && b.layer_thickness == 0.0)
-      report_problem({set + "persistence", set + "layer_thickness"}, "0", "above 0 without layers",
+      report_problem({"bedding.persistence", "bedding.layer_thickness"}, "above 0 without layers",
                      "a set without joints and without layers does nothing: leave the [[bedding]] out");
   }
   /// Planes that scatter are numbered in one byte, with the other sets.
@@ -243,7 +245,7 @@ class CrossChecks {
     const double diagonal = std::hypot(r_.specimen.width, r_.specimen.height);
     double n = 0.0;
     std::string first;
-    Paths paths = {"specimen.width", "specimen.height"};
+    Paths paths = box;
     for (std::size_t i = 0; i < r_.bedding.size(); ++i) {
       const BeddingRecipe& b = r_.bedding[i];
       n += b.scatters() ? (diagonal / b.spacing + 3.0) / sin_cos_degrees(3.0 * b.theta_sd).cos : 1.0;
@@ -254,35 +256,34 @@ class CrossChecks {
     }
     if (first.empty() || n <= most_planes) return;
     paths.insert(paths.begin(), first);
-    report_problem(paths, "some " + std::to_string(std::lround(n)) + " planes",
-                   "at most " + std::to_string(std::lround(most_planes)) + " planes where planes scatter",
-                   "use a wider spacing or a smaller specimen, or leave the scatter out");
+    report_value(paths, "some " + std::to_string(std::lround(n)) + " planes",
+                 "at most " + std::to_string(std::lround(most_planes)) + " planes where planes scatter",
+                 "use a wider spacing or a smaller specimen, or leave the scatter out");
   }
 
   void test() {
     const TestRecipe& t = r_.test;
     if (!t.angles.empty() && !layered(r_))
-      report_problem({"test.angles", "bedding"}, "given", "layers to turn",
-                     "add [[bedding]] or directions of the matrix, or remove test.angles");
+      report_value({"test.angles", "bedding"}, "given", "layers to turn",
+                   "add [[bedding]] or directions of the matrix, or remove test.angles");
     if (t.intact && r_.matrix.directional())
-      report_problem({"test.intact", "matrix.stiffness_ratio", "matrix.tension_ratio",
-                      "matrix.cohesion_ratio", "matrix.cohesion_oblique"},
-                     "true", "false with a matrix that has directions",
+      report_problem(with({"test.intact"}, ratios), "false with a matrix that has directions",
                      "no specimen of it is intact: leave the key out, or set the ratios to 1");
     std::vector<double> sorted = t.angles;
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
-      report_problem({"test.angles"}, print_quantity(*twice, Dimension::angle), "every angle once",
-                     "remove the second one; for another specimen change a seed");
+      report_value({"test.angles"}, print_quantity(*twice, Dimension::angle), "every angle once",
+                   "remove the second one; for another specimen change a seed");
     test_of_kind();
+    cut_specimen(t.kind->cut != nullptr ? t.kind->cut(r_) : SpecimenCut{});
     approach();
-    for (const auto& [key, strain] :
-         {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"pre_strain", t.pre_strain},
-          std::pair{"approach_strain", t.approach_strain}})
+    for (const auto& [path, strain] :
+         {std::pair{"test.ramp_strain", t.ramp_strain}, std::pair{"test.pre_strain", t.pre_strain},
+          std::pair{"test.approach_strain", t.approach_strain}})
       if (strain >= t.max_strain)
-        report_problem({std::string("test.") + key, "test.max_strain"}, print_number(strain),
-                       "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
+        report_problem({path, "test.max_strain"}, "below max_strain = " + print_number(t.max_strain),
+                       "lower it, or raise max_strain");
   }
 
   /// A strain of 0 switches the approach off, whatever its speed: a study varies it from there.
@@ -291,67 +292,64 @@ class CrossChecks {
     if (t.approach_strain == 0.0) return;
     const double start = t.pre_strain + t.ramp_strain;
     if (t.approach_speed == 0.0)
-      report_problem({"test.approach_strain", "test.approach_speed"}, print_number(t.approach_strain),
-                     "0 without an approach_speed", "say how fast the platens are up to there");
+      report_problem({"test.approach_strain", "test.approach_speed"}, "0 without an approach_speed",
+                     "say how fast the platens are up to there");
     else if (t.approach_speed < t.platen_speed)
       report_problem({"test.approach_speed", "test.platen_speed"},
-                     print_quantity(t.approach_speed, Dimension::speed),
                      "at least platen_speed = " + print_quantity(t.platen_speed, Dimension::speed),
                      "the approach is what may be fast: raise it, or set approach_strain to 0");
     if (t.approach_strain <= start)
       report_problem({"test.approach_strain", "test.pre_strain", "test.ramp_strain"},
-                     print_number(t.approach_strain),
                      "above pre_strain + ramp_strain = " + print_number(start),
                      "the platens reach their speed there: leave the approach out, or let it go on farther");
     if (!t.kind->may_approach)
-      report_problem({"test.approach_strain", "test.kind"}, print_number(t.approach_strain),
-                     "0 for this kind of test", "leave approach_strain and approach_speed out");
+      report_problem({"test.approach_strain", "test.kind"}, "0 for this kind of test",
+                     "leave approach_strain and approach_speed out");
   }
 
   void test_of_kind() {
     const TestRecipe& t = r_.test;
-    const SpecimenCut cut = t.kind->cut != nullptr ? t.kind->cut(r_) : SpecimenCut{};
+    if (5.0 * t.grip_thickness > r_.specimen.height)
+      report_problem({"test.grip_thickness", "specimen.height"}, "at most a fifth of the height",
+                     "strain is read over the middle 60 %, which the grips must not hold");
+    if (t.kind->friction != &TestRecipe::platen_friction && t.platen_friction > 0.0)
+      report_problem({"test.platen_friction", "test.kind"}, "0 for this kind of test",
+                     "give test.jaw_friction");
+    if (t.shear_gap > 0.5 * r_.specimen.height)
+      report_problem({"test.shear_gap", "specimen.height"}, "at most half the height",
+                     "the boxes have to hold something");
+    if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
+      report_problem({"test.normal_stiffness", "test.normal_stress"}, "0 without normal_stress",
+                     "give test.normal_stress, from which it grows");
+    if (t.pre_strain > 0.0 && !t.kind->may_pre_strain)
+      report_problem({"test.pre_strain", "test.kind"}, "0 for this kind of test",
+                     "only the uniaxial press can start loaded");
+  }
+
+  /// Discs and half discs, whose notch is sawn.
+  void cut_specimen(const SpecimenCut& cut) {
+    const TestRecipe& t = r_.test;
     const double side = std::min(r_.specimen.width, (cut.half ? 2.0 : 1.0) * r_.specimen.height);
     const double least = min_grains_across * (r_.packing.radius_min + r_.packing.radius_max);
     if (t.disc_diameter > side)
-      report_problem({"test.disc_diameter", "specimen.width", "specimen.height"}, length(t.disc_diameter),
+      report_problem(with({"test.disc_diameter"}, box),
                      (cut.half ? "at most the width and twice the height, " : "at most the smaller side, ") +
                          length(side),
                      cut.half ? "half a disc is cut from the packing; use a larger specimen"
                               : "a disc is cut from the packing; use a larger specimen");
-    else if (t.disc_diameter > 0.0 && t.disc_diameter < least && r_.packing.file.empty())
-      report_problem({"test.disc_diameter", "packing.radius_min", "packing.radius_max", "packing.file"},
-                     length(t.disc_diameter), "at least ten mean grain diameters, " + length(least),
+    else if (t.disc_diameter > 0.0 && t.disc_diameter < least && has_own_grains())
+      report_problem(with({"test.disc_diameter"}, radii),
+                     "at least ten mean grain diameters, " + length(least),
                      "use a larger disc or smaller grains");
-    if (cut.notch_width > 0.0) notch(cut);
-    if (5.0 * t.grip_thickness > r_.specimen.height)
-      report_problem({"test.grip_thickness", "specimen.height"}, length(t.grip_thickness),
-                     "at most a fifth of the height",
-                     "strain is read over the middle 60 %, which the grips must not hold");
-    if (t.kind->friction != &TestRecipe::platen_friction && t.platen_friction > 0.0)
-      report_problem({"test.platen_friction", "test.kind"}, print_number(t.platen_friction),
-                     "0 for this kind of test", "give test.jaw_friction");
-    if (t.shear_gap > 0.5 * r_.specimen.height)
-      report_problem({"test.shear_gap", "specimen.height"}, length(t.shear_gap), "at most half the height",
-                     "the boxes have to hold something");
-    if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
-      report_problem({"test.normal_stiffness", "test.normal_stress"}, "given", "0 without normal_stress",
-                     "give test.normal_stress, from which it grows");
-    if (t.pre_strain > 0.0 && !t.kind->may_pre_strain)
-      report_problem({"test.pre_strain", "test.kind"}, print_number(t.pre_strain), "0 for this kind of test",
-                     "only the uniaxial press can start loaded");
-  }
-
-  void notch(const SpecimenCut& cut) {
     const double grain = 2.0 * r_.packing.radius_max, widest = widest_notch * cut.diameter;
-    if (cut.notch_width < grain && r_.packing.file.empty())
-      report_problem({"test.notch_width", "packing.radius_max", "packing.file"}, length(cut.notch_width),
-                     "0, or at least the largest grain diameter, " + length(grain),
-                     "whole grains are taken out; leave it out, or use smaller grains");
+    if (cut.notch_width > 0.0 && cut.notch_width < grain && has_own_grains())
+      report_value({"test.notch_width", "packing.radius_max", "packing.file"}, length(cut.notch_width),
+                   "0, or at least the largest grain diameter, " + length(grain),
+                   "whole grains are taken out; leave it out, or use smaller grains");
     if (cut.notch_width > widest)
-      report_problem({"test.notch_width", "test.disc_diameter", "specimen.width", "specimen.height"},
-                     length(cut.notch_width), "at most a twentieth of the diameter, " + length(widest),
-                     "the formula of the test is that of a crack; saw a thinner notch");
+      report_value(with({"test.notch_width", "test.disc_diameter"}, box), length(cut.notch_width),
+                   "at most a twentieth of the diameter, " + length(widest),
+                   "the formula of the test is that of a crack; saw a thinner notch");
   }
 };
 

@@ -81,8 +81,7 @@ class Table {
 
   template <class Member>
   Field& add(FieldKind kind, const char* key, Range range, const char* meaning, Member member) {
-    Field f;
-    f.kind = kind, f.table = name_, f.key = key, f.meaning = meaning;
+    Field f = make_field(kind, name_, key, meaning);
     f.dimension = range.dimension, f.min = range.min, f.max = range.max;
     f.get = [part = part_, member](const Recipe& r, std::size_t i) { return as_number(part(r, i).*member); };
     f.set = [part = part_, member](Recipe& r, std::size_t i, double v) { assign(part(r, i).*member, v); };
@@ -134,7 +133,7 @@ void add_matrix(Fields& fields) {
   t.choice("model", {"parallel_bond", "flat_joint"},
            "what holds grains together: linear contact and parallel bond, or an interface of elements",
            &M::model)
-      .quiet = true;
+      .omit_default = true;
   t.quantity("density", {1, 1e5, Dimension::density}, "density", "density of the grains", &M::density);
   t.choice("stiffness_convention", {"pfc31", "pfc5"},
            "contact stiffness from E_c: pfc31: k_n = E_c t; pfc5: k_n = 2 r_min t E_c/(R1 + R2)",
@@ -166,7 +165,7 @@ void add_matrix(Fields& fields) {
   t.number("unbonded_fraction", {0, 0.9}, "",
            "share of these contacts that get no bond (linear contact only; of flat joints: a slit)",
            &M::unbonded_fraction)
-      .quiet = true;
+      .omit_default = true;
   t.integer("bond_seed", {0, 4294967295.0}, "seed of the bond strengths", &M::bond_seed);
   t.boolean("unbreakable", "true: nothing breaks and nothing slips (elastic comparison)", &M::unbreakable);
 }
@@ -176,12 +175,12 @@ void add_directions(Fields& fields) {
   Table t(fields, "matrix", matrix_of);
   using M = MatrixRecipe;
   const auto ratio = [&](const char* key, const char* meaning, double M::*member) {
-    t.number(key, {0.05, 20}, "", meaning, member).quiet = true;
+    t.number(key, {0.05, 20}, "", meaning, member).omit_default = true;
   };
   Field& foliation =
       t.quantity("foliation", {0, 180, Dimension::angle}, "180 - dip",
                  "inclination of the matrix's own layers, which the ratios below refer to", &M::foliation);
-  foliation.below_max = foliation.quiet = true;
+  foliation.below_max = foliation.omit_default = true;
   ratio("stiffness_ratio",
         "E_c and E_b of contacts with the normal along the foliation over those across it; the mean stays",
         &M::stiffness_ratio);
@@ -198,17 +197,17 @@ void add_flat_joint(Fields& fields) {
   Field& elements =
       t.integer("elements", {1, 4}, "flat_joint: elements that an interface breaks in; a strength parameter",
                 &M::elements);
-  elements.pfc_name = "fj_nr", elements.quiet = true;
+  elements.pfc_name = "fj_nr", elements.omit_default = true;
   t.choice("break_at", {"centroid", "edge"},
            "flat_joint: where in an element the tension is compared with sigma_c (PFC: centroid)",
            &M::break_at)
-      .quiet = true;
+      .omit_default = true;
   t.number("gapped_fraction", {0, 0.9}, "",
            "flat_joint: share of contacts that get no bond and start initial_gap apart", &M::gapped_fraction)
-      .quiet = true;
+      .omit_default = true;
   t.quantity("initial_gap", {0, largest_grain, Dimension::length}, "fj_gap0",
              "flat_joint: gap of these interfaces at the start", &M::initial_gap)
-      .quiet = true;
+      .omit_default = true;
 }
 
 /// Where the planes of a set are.
@@ -220,12 +219,12 @@ void add_planes(Fields& fields) {
       .below_max = true;
   t.quantity("theta_sd", {0, 10, Dimension::angle}, "",
              "standard deviation of theta from plane to plane; not with oriented", &B::theta_sd)
-      .quiet = true;
+      .omit_default = true;
   t.quantity("spacing", {1e-6, longest, Dimension::length}, "",
              "distance of the planes of the set, mean; not with oriented", &B::spacing);
   t.number("spacing_sd", {0, 0.3}, "",
            "standard deviation of the spacing, over the spacing; not with oriented", &B::spacing_sd)
-      .quiet = true;
+      .omit_default = true;
   t.quantity("zone_thickness", {0, longest, Dimension::length}, "",
              "thickness d of the zone, used by the zone rule", &B::zone_thickness)
       .above_min = true;
@@ -246,34 +245,34 @@ void add_rule(Fields& fields) {
        "bridges",
        "zone rule: contacts that cross a plane outside the zone stay bonded; false: they are joints, too",
        &B::bridges)
-      .quiet = true;
+      .omit_default = true;
   Field& range =
       t.quantity("orientation_range", {0, 90, Dimension::angle}, "",
                  "oriented rule: largest angle between the normals of a joint's contact and of the set",
                  &B::orientation_range);
-  range.above_min = range.quiet = true;
+  range.above_min = range.omit_default = true;
   Field& share =
       t.number("persistence", {0, 1}, "",
                "share of the planes that is jointed, the rest stays bonded (rock bridges); 0: layers without "
                "joints; not with oriented",
                &B::persistence);
-  share.quiet = true;
+  share.omit_default = true;
   t.quantity(
        "patch_length", {0, longest, Dimension::length}, "",
        "with persistence below 1: length of the patches that are jointed or bonded; 0: contact by contact; "
        "not with oriented",
        &B::patch_length)
-      .quiet = true;
+      .omit_default = true;
   t.quantity("layer_thickness", {0, longest, Dimension::length}, "",
              "thickness of a layer about each plane whose matrix differs; 0: none; not with oriented",
              &B::layer_thickness)
-      .quiet = true;
+      .omit_default = true;
   t.number("layer_stiffness", {0.01, 100}, "", "E_c and E_b in the layers over the matrix's",
            &B::layer_stiffness)
-      .quiet = true;
+      .omit_default = true;
   t.number("layer_strength", {0.01, 100}, "", "sigma_c and tau_c in the layers over the matrix's",
            &B::layer_strength)
-      .quiet = true;
+      .omit_default = true;
 }
 
 /// The joints of a set.
@@ -287,7 +286,7 @@ void add_joints(Fields& fields) {
              &B::sigma_n);
   t.quantity("sigma_n_sd", {0, 1e13, Dimension::pressure}, "", "standard deviation of sigma_n",
              &B::sigma_n_sd)
-      .quiet = true;
+      .omit_default = true;
   t.quantity("cohesion", {1, 1e13, Dimension::pressure}, "sj_coh", "cohesion of bonded joints", &B::cohesion);
   t.quantity("phi", {0, 80, Dimension::angle}, "sj_fa", "friction angle of bonded joints", &B::phi);
   t.quantity("psi", {0, 80, Dimension::angle}, "sj_da", "dilation angle; tan(psi) <= mu", &B::psi);
@@ -302,13 +301,13 @@ void add_bend(Fields& fields) {
   const char* const bend = "semi_circular_bend";
   t.number("notch_ratio", {0.4, 0.6}, "", "semi_circular_bend: length of the notch over the radius",
            &T::notch_ratio)
-      .only_of = bend;
+      .test = bend;
   t.quantity("notch_width", {0, largest_grain, Dimension::length}, "",
              "semi_circular_bend: width of the notch; 0: the largest grain diameter", &T::notch_width)
-      .only_of = bend;
+      .test = bend;
   t.number("span_ratio", {0.5, 0.8}, "",
            "semi_circular_bend: distance of the support rollers over the diameter", &T::span_ratio)
-      .only_of = bend;
+      .test = bend;
 }
 
 std::vector<std::string> names_of_tests() {
@@ -356,8 +355,7 @@ void add_test(Fields& fields) {
   t.integer("n_frames", {0, 1000},
             "stored displacement fields for the specimen viewer (up to twice as many); 0: only the last",
             &T::n_frames);
-  t.number("pre_strain", {0, 0.05}, "", "axial strain of the affine pre-strain; 0: none", &T::pre_strain)
-      .former = "jump_strain";
+  t.number("pre_strain", {0, 0.05}, "", "axial strain of the affine pre-strain; 0: none", &T::pre_strain);
   t.quantity("grip_thickness", {0, longest, Dimension::length}, "",
              "direct_tension: rock held at each end; 0: four times the largest radius", &T::grip_thickness);
   t.quantity("disc_diameter", {0, longest, Dimension::length}, "",
@@ -369,7 +367,7 @@ void add_test(Fields& fields) {
        "jaw_friction", {0, 10}, "wall fric",
        "brazilian: friction coefficient between disc and jaws; without it a coarse disc may roll out of them",
        &T::jaw_friction)
-      .only_of = "brazilian";
+      .test = "brazilian";
   t.quantity("confining_stress", {0, 1e10, Dimension::pressure}, "", "biaxial: lateral stress",
              &T::confining_stress);
   t.choice(
@@ -401,7 +399,7 @@ void add_engine(Fields& fields) {
 Fields with_defaults(Fields fields) {
   Recipe usual;
   usual.bedding.resize(1);
-  for (Field& f : fields) f.otherwise = print_field(f, usual, 0);
+  for (Field& f : fields) f.default_text = print_field(f, usual, 0);
   return fields;
 }
 
@@ -425,7 +423,7 @@ const Fields& recipe_fields() {
 }
 
 bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
-  if (!f.only_of.empty() && f.only_of != recipe.test.kind->name) return false;
+  if (!f.test.empty() && f.test != recipe.test.kind->name) return false;
   const bool dispersed = f.table == "bedding" && !recipe.bedding[index].has_planes();
   if (dispersed && (f.key == "spacing" || f.key == "offset")) return false;
   if (dispersed && f.key == "orientation_range") return true;  // what its joints are goes by it
@@ -433,7 +431,7 @@ bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
       f.table == "matrix" && (f.key == "stiffness_convention" || f.key == "E_b" ||
                               f.key == "bond_ks_over_kn" || f.key == "moment_contribution");
   if (of_parallel_bonds && recipe.matrix.model != MatrixModel::parallel_bond) return false;
-  return !f.quiet || print_field(f, recipe, index) != f.otherwise;
+  return !f.omit_default || print_field(f, recipe, index) != f.default_text;
 }
 
 std::string print_field(const Field& f, const Recipe& recipe, std::size_t index) {
@@ -461,7 +459,7 @@ std::string keys_not_by_default(const Recipe& r) {
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
       const std::string value = print_field(f, r, i);
-      if (value == f.otherwise || !is_written(f, r, i)) continue;
+      if (value == f.default_text || !is_written(f, r, i)) continue;
       text += of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path();
       text += " = " + value + "\n";
     }

@@ -16,7 +16,7 @@ constexpr std::int64_t max_recipe_grains = 1000000;
 
 const Fields& recipe_fields();
 
-/// Does a recipe that is written hold this key? Not if it is of another test, quiet and as by default, or
+/// Does a recipe that is written hold this key? Not if it is of another test, left out as by default, or
 /// about planes that the set has not.
 bool is_written(const Field& field, const Recipe& recipe, std::size_t index);
 /// A value as it is written in a file.

@@ -43,34 +43,34 @@ const Fields& rock_fields() {
     Field reading =
         rock_key(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
     reading.choices = {"plane stress", "plane strain"};
-    reading.otherwise = "\"plane stress\"";
+    reading.default_text = "\"plane stress\"";
     Field E_is = rock_key(K::choice, "E_is",
                           "slope that the table's E is; without UCS and confined E compared at small strain");
     for (const ModulusReading r :
          {ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
           ModulusReading::secant_at_peak, ModulusReading::small_strain})
       E_is.choices.emplace_back(to_string(r));
-    E_is.otherwise = "\"tangent 50 %\"";
+    E_is.default_text = "\"tangent 50 %\"";
     Field layers = rock_key(K::choice, "layers",
                             "model of the layers: joints on planes, directions of the bonds, both, or rock "
                             "bridges; \"choose\": the best predictor");
     for (int i = 0; i < n_layer_models; ++i)
       layers.choices.emplace_back(to_string(static_cast<LayerModel>(i)));
-    layers.otherwise = "\"choose\"";
+    layers.default_text = "\"choose\"";
     Field matrix = rock_key(K::choice, "matrix",
                             "bonds of the grains; flat joints where UCS is many times the tension; with a "
                             "recipe the recipe's");
     matrix.choices = {"choose", "parallel_bond", "flat_joint"};
-    matrix.otherwise = "\"choose\"";
+    matrix.default_text = "\"choose\"";
     Field confining =
         as_in_recipe("test.confining_stress", "", "confining",
                      "takes E and nu under this confining pressure alone; default: under all of the table");
-    confining.otherwise.clear();
+    confining.default_text.clear();
     Field grain_size = as_in_recipe(
         "packing.radius_min", "", "grain_size",
         "mean diameter of the model's grains; default: as many as in the paper's specimen. K_Ic is fitted "
         "only with it or a recipe");
-    grain_size.otherwise.clear();
+    grain_size.default_text.clear();
     Field column = rock_key(K::choice, "\"header\"",
                             "what a column of the table holds, by its header; \"-\" passes it over");
     column.table = "columns", column.choices = column_names(), column.choices.emplace_back("-");

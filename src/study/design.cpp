@@ -147,16 +147,9 @@ std::vector<std::vector<double>> sobol_sequence(std::size_t dimensions, std::siz
 const char* to_string(Solver solver) { return solver == Solver::direct ? "direct" : "dynamic"; }
 
 const char* to_string(Design design) {
-  switch (design) {
-    case Design::one_at_a_time: return "one_at_a_time";
-    case Design::full_factorial: return "full_factorial";
-    case Design::list: return "list";
-    case Design::latin_hypercube: return "latin_hypercube";
-    case Design::sobol: return "sobol";
-    case Design::morris: return "morris";
-    case Design::saltelli: return "saltelli";
-  }
-  return "unknown";
+  static constexpr const char* names[n_designs] = {
+      "one_at_a_time", "full_factorial", "list", "latin_hypercube", "sobol", "morris", "saltelli"};
+  return names[static_cast<int>(design)];
 }
 
 std::string RecipeKey::path() const {

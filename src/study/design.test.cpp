@@ -266,8 +266,6 @@ TEST_F(StudyFile, WhatBelongsToAnAngleIsCheckedLikeTheRest) {
   EXPECT_THAT(with("\"test.pre_strain\" = [1e-4, 0.02]"), HasSubstr(", theta = 90 deg: test.pre_strain"));
   EXPECT_THAT(with("\"test.platen_speed\" = [\"1 m/s\", \"1 m/s\", \"1 m/s\"]"), HasSubstr("these are 3"));
   EXPECT_THAT(with("test.platen_speed = [\"1 m/s\", \"1 m/s\"]"), HasSubstr("both inside the quotes"));
-  EXPECT_THAT(with("\"test.jump_strain\" = [1e-4, 2e-4]\n\"test.pre_strain\" = [1e-4, 2e-4]"),
-              HasSubstr("every key once"));
   EXPECT_THAT(problems_of("solver = \"direct\"\n" + std::string(three_levels) +
                           "[by_angle]\n\"test.platen_speed\" = [\"1 m/s\", \"1 m/s\"]\n"),
               HasSubstr("a direct solution knows no loading"));
@@ -286,11 +284,6 @@ TEST_F(StudyFile, AKeyWithoutItsTableIsToldWhereItBelongs) {
               HasSubstr("name its table too: \"test.platen_speed\""));
   EXPECT_THAT(problems_of(std::string(three_levels) + "[set]\n\"mu\" = 0.3\n"),
               HasSubstr("\"matrix.mu\" or \"bedding.mu\""));
-}
-
-TEST_F(StudyFile, FormerNamesOfKeysAreTaken) {
-  const Study s = read(std::string(three_levels) + "[set]\n\"test.jump_strain\" = 1e-4\n");
-  EXPECT_EQ(recipe_at(s, points_of(s).front(), 1, 1).test.pre_strain, 1e-4);
 }
 
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {

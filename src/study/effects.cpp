@@ -86,15 +86,10 @@ LineFit curve_line(const Plan& plan, const std::vector<double>& y, const std::ve
   return fit_line(x, finite);
 }
 
-void add_line(Collected& all, const Plan& plan, const Response& r, const std::vector<double>& y,
-              std::size_t factor, const std::string& slope_unit) {
-  const std::vector<std::size_t> points = curve_points(plan, factor);
-  const LineFit line = curve_line(plan, y, points, factor);
+void add_line(Collected& all, const LineFit& line, const std::string& unit, const std::string& slope_unit) {
   all.add("slope", slope_unit, line.slope), all.add("slope se", slope_unit, line.slope_se);
-  all.add("intercept", r.unit, line.intercept), all.add("intercept se", r.unit, line.intercept_se);
+  all.add("intercept", unit, line.intercept), all.add("intercept se", unit, line.intercept_se);
   all.add("R2", "1", line.R2);
-  // Relative change from the lowest to the highest level.
-  all.add("change", "1", y[points.back()] / y[points.front()] - 1.0);
 }
 
 /// The moduli of one point on one replicate.
@@ -164,7 +159,8 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const MacroReading
     const bool has_reference = reading.reference != theory::Eq1Reference::given || std::isfinite(r.intact);
     // With the intact rock as reference its modulus has to be there; other references need none.
     if (!r.whole || r.layered.empty() || !has_reference) continue;
-    const theory::Eq1Fit fit = theory::fit_eq1(r.layered, {reading.loss, reading.reference, r.intact});
+    const theory::Eq1Fit fit =
+        theory::fit_eq1(r.layered, {theory::Eq1Loss::compliance, reading.reference, r.intact});
     fits.fits[place.first][place.second] = fit;
     if (!fit.ok()) continue;
     // Theory gives K times the spacing of the planes, [Pa/m] times [m].
@@ -206,7 +202,10 @@ std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::
   // Each replicate gives its own effect; the scatter of the effects is then their uncertainty.
   for (const std::vector<double>& y : response.values) {
     if (plan.study.design == Design::one_at_a_time) {
-      add_line(all, plan, response, y, factor, slope_unit);
+      const std::vector<std::size_t> points = curve_points(plan, factor);
+      add_line(all, curve_line(plan, y, points, factor), response.unit, slope_unit);
+      // Relative change from the lowest to the highest level.
+      all.add("change", "1", y[points.back()] / y[points.front()] - 1.0);
     } else if (plan.study.design == Design::morris) {
       const ElementaryEffect e = elementary_effects(plan.points, y)[factor];
       all.add("mu", response.unit, e.mu), all.add("mu_star", response.unit, e.mu_star);

@@ -58,7 +58,6 @@ struct MacroReading {
   const char* modulus;  ///< the number that is fitted
   theory::Eq1Reference reference =
       theory::Eq1Reference::given;  ///< `given`: that number of the intact specimen
-  theory::Eq1Loss loss = theory::Eq1Loss::compliance;
 };
 JointFits fit_joints(const Plan& plan, const StudyRows& rows, const MacroReading& reading);
 

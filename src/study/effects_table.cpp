@@ -25,37 +25,23 @@ std::vector<std::string> printed_numbers(const Study& study) {
 /// A way to K_n and K_s with its names: `name` in the tables, `title` of what is printed, if it is printed.
 struct NamedReading {
   MacroReading reading;
-  std::string name, title;
+  const char *name, *title;
 };
 
-/// Every way that a study can be read; the first is the usual one.
+/// The ways in which a study is read; the first is the usual one, the others show how much K depends on the
+/// reference and on the strain at which E is read.
 std::vector<NamedReading> all_readings(Solver solver) {
   using R = theory::Eq1Reference;
-  // Tests in time: the tangent modulus against the intact rock is the usual reading; the others show how much
-  // K depends on reference and modulus.
-  if (solver == Solver::dynamic)
-    return {{{"E_tangent", R::given},
-             "reference intact",
-             "Eq. 1 on E_tangent (40-60 % of ucs), reference the intact rock"},
-            {{"E_tangent", R::measured_90}, "reference E(90)", ""},
-            {{"E_tangent", R::free}, "reference free", ""},
-            {{"E_small", R::given}, "reference intact (E_small)", ""}};
-  // Direct solution: all combinations of modulus, reference and loss go to the CSV. Printed are the first
-  // six: the gauge, with contacts that only push or also pull.
-  std::vector<NamedReading> all;
-  for (const theory::Eq1Loss loss : {theory::Eq1Loss::compliance, theory::Eq1Loss::modulus})
-    for (const char* modulus : {"E_gauge", "E_gauge_pulling", "E_platen", "E_platen_pulling"})
-      for (const auto& [reference, word] :
-           {std::pair{R::given, "intact"}, std::pair{R::measured_90, "E(90)"}, std::pair{R::free, "free"}}) {
-        const bool squares_of_E = loss == theory::Eq1Loss::modulus, first = all.size() < 3;
-        std::string name = fmt::format("reference {}", word);
-        // The usual modulus goes without its name: rows keep the name that they always had.
-        if (!first) name += fmt::format(" ({}{})", modulus, squares_of_E ? ", loss in modulus" : "");
-        const std::string title =
-            all.size() < 6 ? fmt::format("Eq. 1 on {}, reference {}", modulus, word) : std::string();
-        all.push_back({{modulus, reference, loss}, name, title});
-      }
-  return all;
+  if (solver == Solver::direct)
+    return {{{"E_gauge", R::given}, "reference intact", "Eq. 1 on E_gauge, reference intact"},
+            {{"E_gauge", R::measured_90}, "reference E(90)", "Eq. 1 on E_gauge, reference E(90)"},
+            {{"E_gauge", R::free}, "reference free", "Eq. 1 on E_gauge, reference free"}};
+  return {{{"E_tangent", R::given},
+           "reference intact",
+           "Eq. 1 on E_tangent (40-60 % of ucs), reference the intact rock"},
+          {{"E_tangent", R::measured_90}, "reference E(90)", ""},
+          {{"E_tangent", R::free}, "reference free", ""},
+          {{"E_small", R::given}, "reference intact (E_small)", ""}};
 }
 
 /// The effect of a parameter that the design shows first, and how to print it.
@@ -153,7 +139,7 @@ std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_wi
     return false;
   };
   for (const NamedReading& named : all_readings(plan.study.solver)) {
-    if (named.title.empty()) continue;
+    if (*named.title == '\0') continue;
     const JointFits fits = fit_joints(plan, rows, named.reading);
     if (!any(fits.K_n)) continue;
     std::string own = fmt::format(

@@ -20,8 +20,6 @@
 #include "base/units.hpp"
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
-#include "io/toml_in.hpp"
-#include "study/experiment.hpp"
 
 namespace phy::study {
 namespace {
@@ -211,14 +209,6 @@ constexpr std::size_t max_listed = 20;
       path, damaged.size(), sh_word(path), keys, list));
 }
 
-/// False where the new key exists already: the row then keeps its own.
-bool rename_key(io::Database& database, const char* table, const std::string& before,
-                const std::string& now) {
-  io::Statement s(database, fmt::format("UPDATE OR IGNORE {} SET key = ? WHERE key = ?", table));
-  s.bind(now).bind(before).run();
-  return database.n_changed() > 0;
-}
-
 /// False if there was such a row already.
 bool write_specimen(io::Database& database, const std::string& key, const std::string& recipe,
                     const TestResult& t, const std::string& host) {
@@ -272,8 +262,8 @@ Store::Store(const std::string& path, Sharing sharing)
   if (sharing != Sharing::alone) refuse_network(path);
   if (database_.can_write())
     make_tables(sharing);
-  else
-    check_format();
+  else if (!has_tables())
+    throw IoError(path + ": is an empty store, and cannot be written");
 }
 
 Store::~Store() {
@@ -282,35 +272,6 @@ Store::~Store() {
     release_all();
   } catch (const std::exception&) {  // the lease ends by itself
   }
-}
-
-/// Format 1: keys of 64 bits, over the whole text of the recipe. A row whose recipe cannot be read any more,
-/// because its disc file has moved, keeps its old key, which no study asks for.
-void Store::rekey() {
-  std::vector<std::pair<std::string, std::string>> keys;
-  io::Statement rows(database_, "SELECT key, recipe FROM specimen");
-  while (rows.step()) {
-    try {
-      keys.emplace_back(rows.text(0), specimen_key(io::parse_recipe(rows.text(1), database_.path())));
-    } catch (const InputError&) {
-    } catch (const IoError&) {
-    }
-  }
-  // Numbers go with their specimen: those of a row that keeps its key do not mix with the other's.
-  for (const auto& [before, now] : keys)
-    if (rename_key(database_, "specimen", before, now)) rename_key(database_, "number", before, now);
-  // Claims refer to old keys; their tests are claimed anew under the new ones.
-  database_.execute("DELETE FROM claim");
-}
-
-/// From an earlier format. What its records hold is what they are held against from now on.
-void Store::upgrade(std::int64_t format) {
-  if (format == 1) rekey();
-  database_.execute(
-      "ALTER TABLE specimen ADD COLUMN series TEXT NOT NULL DEFAULT '';"
-      "ALTER TABLE specimen ADD COLUMN checksum TEXT NOT NULL DEFAULT ''");
-  for (const std::string& key : all_keys()) seal(key);
-  database_.execute("PRAGMA user_version = " + std::to_string(store_format));
 }
 
 /// Takes the checksums of a record as SQLite gives it back: it may keep another NaN, or another zero.
@@ -324,28 +285,20 @@ void Store::seal(const std::string& key) {
   update.bind(r.series).bind(checksum_of(r)).bind(key).run();
 }
 
-/// The format of a store; 0 of a file that is empty.
-std::int64_t Store::format() const {
+/// True if there are tables already. Throws IoError where they are none of this format.
+bool Store::has_tables() const {
   io::Statement version(database_, "PRAGMA user_version"),
       tables_in(database_, "SELECT count(*) FROM sqlite_master");
   version.step(), tables_in.step();
+  if (tables_in.integer(0) == 0) return false;
   const std::int64_t found = version.integer(0);
-  if (tables_in.integer(0) == 0) return 0;
   // A database with tables but without our version belongs to another program.
-  if (found < 1 || found > store_format)
-    throw IoError(database_.path() + ": " +
-                  (found == 0 ? "is no store of phyllite" : "has format " + std::to_string(found)) +
-                  "; this version reads formats 1 to " + std::to_string(store_format));
-  return found;
-}
-
-/// Of a store that cannot be written.
-void Store::check_format() const {
-  if (const std::int64_t found = format(); found != store_format)
-    throw IoError(
-        fmt::format("{}: has format {} and cannot be brought to {}, as it cannot be written; copy it to a "
-                    "folder of your own",
-                    database_.path(), found, store_format));
+  if (found == 0) throw IoError(database_.path() + ": is no store of phyllite");
+  if (found != store_format)
+    throw IoError(fmt::format(
+        "{}: has format {}, not {}: written by {} version of phyllite; run it again into another folder",
+        database_.path(), found, store_format, found < store_format ? "an earlier" : "a later"));
+  return true;
 }
 
 void Store::make_tables(Sharing sharing) {
@@ -354,11 +307,8 @@ void Store::make_tables(Sharing sharing) {
   if (sharing == Sharing::alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
   // One transaction: of two processes that create the store at once, one finds it made.
   database_.transaction([&] {
-    const std::int64_t found = format();
-    if (found == 0)
+    if (!has_tables())
       database_.execute(std::string(store_tables) + "PRAGMA user_version = " + std::to_string(store_format));
-    else if (found < store_format)
-      upgrade(found);
   });
   // Last: a database that is not ours has been refused before anything changes in it. Changing to WAL needs
   // exclusive access for a moment, and SQLite does not wait for that by itself: up to 5 s here.
@@ -494,10 +444,6 @@ std::size_t Store::n_claimed() const {
 
 std::vector<std::string> Store::keys() const {
   const std::lock_guard lock(mutex_);
-  return all_keys();
-}
-
-std::vector<std::string> Store::all_keys() const {
   std::vector<std::string> keys;
   io::Statement s(database_, "SELECT key FROM specimen ORDER BY key");
   while (s.step()) keys.push_back(s.text(0));

@@ -25,8 +25,7 @@
 
 namespace phy::study {
 
-/// Version of the tables, kept as the file's user_version. In format 1 keys had 64 bits, before 3 there were
-/// no checksums; such a store is given both when it is opened.
+/// Version of the tables, kept as the file's user_version. A store of another one is refused.
 constexpr int store_format = 3;
 constexpr double lease_seconds = 120.0;
 
@@ -75,9 +74,9 @@ class Store {
   void renew();
   /// Gives unfinished claims back: one, or all of this object.
   void release(const std::string& key);
+  void release_all();
   /// A finished test becomes one that nobody has run.
   void remove(const std::string& key);
-  void release_all();
   /// Stores a finished specimen (not an interrupted one) and ends the claim. A row that is there stays.
   /// `host`: where it ran; "": here.
   void put(const std::string& key, const std::string& recipe, const TestResult& result,
@@ -99,15 +98,11 @@ class Store {
 
  private:
   void make_tables(Sharing sharing);
-  std::int64_t format() const;
-  void check_format() const;
+  bool has_tables() const;
   /// Nothing if the record is damaged: it is then among `damaged`.
   std::optional<StoredResult> read_row(const io::Statement& s, std::vector<StoredResult>& damaged) const;
-  void upgrade(std::int64_t format);
-  void rekey();
   void seal(const std::string& key);
   MergeReport merge_attached();
-  std::vector<std::string> all_keys() const;
   mutable std::mutex mutex_;
   mutable io::Database database_;
   std::string owner_;

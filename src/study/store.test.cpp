@@ -18,7 +18,6 @@
 #include "base/nan.hpp"
 #include "io/toml_in.hpp"
 #include "records/test_description.hpp"
-#include "study/experiment.hpp"
 
 namespace phy::study {
 namespace {
@@ -261,33 +260,14 @@ TEST_F(StoreTest, WhatIsNoStoreIsRefused) {
   EXPECT_THAT(message_of<IoError>([&] { Store s(at("folder.sqlite")); }), HasSubstr("cannot be"));
 }
 
-// A store of format 1, as its first line says: keys of 16 digits. Its results are found under those of today.
-TEST_F(StoreTest, AnOlderStoreIsGivenTheKeysOfToday) {
-  Recipe recipe;
-  recipe.matrix.mu = 0.3;
-  const std::string before = "0123456789abcdef";
-  {
-    Store s(file());
-    s.put(before, io::write_recipe(recipe), some_result(1));
-    s.put("fedcba9876543210", "no recipe", some_result(2));
-    TestResult again = some_result(1);
-    again.numbers.push_back({"later", 1.0, "1", "a number of a later version", ""});
-    s.put("second", io::write_recipe(recipe), again);
-  }
-  io::Database(file()).execute(
-      "ALTER TABLE specimen DROP COLUMN series; ALTER TABLE specimen DROP COLUMN checksum;"
-      "PRAGMA user_version = 1");
-  for (int opened = 0; opened < 2; ++opened) {
-    Store s(file());
-    EXPECT_FALSE(s.find(before));
-    const auto found = s.find(specimen_key(recipe));
-    ASSERT_TRUE(found);
-    EXPECT_EQ(phy::hash_of(found->result), phy::hash_of(some_result(1)));
-    EXPECT_EQ(found->result.numbers.size(), 3U);
-    EXPECT_TRUE(s.find("fedcba9876543210")) << "what cannot be named anew is kept";
-    ASSERT_TRUE(s.find("second")) << "of two rows of one new key the second keeps its own";
-    EXPECT_EQ(s.find("second")->result.numbers.size(), 4U);
-  }
+TEST_F(StoreTest, AnEarlierFormatIsRefusedAndLeftAsItIs) {
+  { Store(file()).put("k", "r", some_result(1)); }
+  io::Database(file()).execute("PRAGMA user_version = 2");
+  for (const Sharing sharing : {Sharing::shared, Sharing::alone, Sharing::reading})
+    EXPECT_THAT(message_of<IoError>([&] { Store s(file(), sharing); }),
+                testing::AllOf(HasSubstr("has format 2, not 3"), HasSubstr("an earlier version")));
+  io::Database(file()).execute("PRAGMA user_version = 3");
+  EXPECT_EQ(phy::hash_of(Store(file()).find("k")->result), phy::hash_of(some_result(1)));
 }
 
 TEST_F(StoreTest, AShardHasItsStoreForItself) {
@@ -362,17 +342,6 @@ TEST_F(StoreTest, IsNotMergedWithItself) {
   fs::create_symlink(file(), at("link.sqlite"));
   for (const std::string& name : {file(), at("link.sqlite")})
     EXPECT_THAT(message_of<InputError>([&] { store.merge(name); }), HasSubstr("another store"));
-}
-
-TEST_F(StoreTest, OfFormat2IsGivenChecksums) {
-  { Store(file()).put("k", "r", some_result(1)); }
-  io::Database(file()).execute(
-      "ALTER TABLE specimen DROP COLUMN series; ALTER TABLE specimen DROP COLUMN checksum;"
-      "PRAGMA user_version = 2");
-  for (int opened = 0; opened < 2; ++opened)
-    EXPECT_EQ(phy::hash_of(Store(file()).find("k")->result), phy::hash_of(some_result(1)));
-  io::Database(file()).execute("UPDATE number SET value = 1");
-  EXPECT_THROW(Store(file()).rows(), IoError);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "base/quote.hpp"
 #include "io/file.hpp"
@@ -23,62 +24,47 @@ constexpr std::size_t max_problems = 20;
 constexpr double max_specimens = 1e6;  // more is taken for a typing error
 constexpr double max_seed = 4294967295.0;
 
-/// An entry of the list of keys of a study file; what has a range or choices is given them by the next two.
-Field entry(FieldKind kind, const char* table, const char* key, const char* meaning, const char* otherwise) {
-  Field f;
-  f.kind = kind, f.table = table, f.key = key, f.meaning = meaning, f.otherwise = otherwise;
-  return f;
+std::vector<std::string> designs() {
+  std::vector<std::string> names;
+  for (int d = 0; d < n_designs; ++d) names.emplace_back(to_string(static_cast<Design>(d)));
+  return names;
 }
-Field within(Field f, double min, double max) {
-  f.min = min, f.max = max;
-  return f;
-}
-Field one_of(Field f, std::vector<std::string> choices) {
-  f.choices = std::move(choices), f.max = unbounded;
-  return f;
+Field top(FieldKind kind, const char* key, const char* meaning) { return make_field(kind, "", key, meaning); }
+Field vary(FieldKind kind, const char* key, const char* meaning) {
+  return make_field(kind, "vary", key, meaning);
 }
 
 Fields study_fields() {
-  std::vector<std::string> designs;
-  for (int d = 0; d < n_designs; ++d) designs.emplace_back(to_string(static_cast<Design>(d)));
   using K = FieldKind;
   return {
-      entry(K::text, "", "name", "name of the study; default: the file's name", ""),
-      entry(K::text, "", "recipe", "recipe that the study starts from, counted from the folder of this file",
-            ""),
-      one_of(
-          entry(K::choice, "", "solver",
-                "dynamic: the recipe's test, in time; direct: E and nu at small strain by the direct elastic "
-                "solution",
-                "\"dynamic\""),
-          {to_string(Solver::dynamic), to_string(Solver::direct)}),
-      one_of(entry(K::choice, "", "design", "points to visit", "\"one_at_a_time\""), designs),
-      within(
-          entry(K::integer, "", "samples",
-                "points (latin_hypercube, sobol), walks of k + 1 points (morris), blocks of k + 2 (saltelli)",
-                "64"),
-          1, 100000),
-      within(entry(K::integer, "", "seed", "seed of the sampled designs", "1"), 0, 4e9),
-      entry(K::text, "", "file",
-            "CSV file of points for the list design: a column per key, its unit in brackets", ""),
-      within(entry(K::integers, "", "packings", "packing seeds, as replicates; default: the recipe's", ""), 0,
-             max_seed),
-      within(entry(K::integers, "", "bond_seeds",
-                   "seeds of bond strengths, as replicates; default: the recipe's", ""),
-             0, max_seed),
-      entry(K::text, "", "regressions", "TOML file of lines that others found, compared with this study's",
-            ""),
-      entry(K::text, "vary", "key", "what varies: \"bedding.k_n\" (all sets) or \"bedding[1].k_n\"", ""),
-      entry(K::values, "vary", "values", "levels, with units", ""),
-      within(entry(K::quantities, "vary", "times", "levels as multiples of the recipe's value", ""),
-             -unbounded, unbounded),
-      entry(K::value, "vary", "from", "lower end of a range", ""),
-      entry(K::value, "vary", "to", "upper end of a range", ""),
-      one_of(entry(K::choice, "vary", "scale", "how a range is divided", "\"linear\""), {"linear", "log"}),
-      entry(K::value, "set", "\"table.key\"", "a key of the recipe and its value for the whole study", ""),
-      entry(K::values, "by_angle", "\"test.key\"",
-            "a key of [test] and its values: one for each of test.angles, then one for the intact specimen",
-            "")};
+      top(K::text, "name", "name of the study; default: the file's name"),
+      top(K::text, "recipe", "recipe that the study starts from, counted from the folder of this file"),
+      top(K::choice, "solver",
+          "dynamic: the recipe's test, in time; direct: E and nu at small strain by the direct elastic "
+          "solution")
+          .one_of({to_string(Solver::dynamic), to_string(Solver::direct)})
+          .by_default("\"dynamic\""),
+      top(K::choice, "design", "points to visit").one_of(designs()).by_default("\"one_at_a_time\""),
+      top(K::integer, "samples",
+          "points (latin_hypercube, sobol), walks of k + 1 points (morris), blocks of k + 2 (saltelli)")
+          .within(1, 100000)
+          .by_default("64"),
+      top(K::integer, "seed", "seed of the sampled designs").within(0, 4e9).by_default("1"),
+      top(K::text, "file", "CSV file of points for the list design: a column per key, its unit in brackets"),
+      top(K::integers, "packings", "packing seeds, as replicates; default: the recipe's").within(0, max_seed),
+      top(K::integers, "bond_seeds", "seeds of bond strengths, as replicates; default: the recipe's")
+          .within(0, max_seed),
+      top(K::text, "regressions", "TOML file of lines that others found, compared with this study's"),
+      vary(K::text, "key", "what varies: \"bedding.k_n\" (all sets) or \"bedding[1].k_n\""),
+      vary(K::values, "values", "levels, with units"),
+      vary(K::quantities, "times", "levels as multiples of the recipe's value").within(-unbounded, unbounded),
+      vary(K::value, "from", "lower end of a range"),
+      vary(K::value, "to", "upper end of a range"),
+      vary(K::choice, "scale", "how a range is divided").one_of({"linear", "log"}).by_default("\"linear\""),
+      make_field(K::value, "set", "\"table.key\"", "a key of the recipe and its value for the whole study"),
+      make_field(K::values, "by_angle", "\"test.key\"",
+                 "a key of [test] and its values: one for each of test.angles, then one for the intact "
+                 "specimen")};
 }
 
 /// The recipe key of that name, "bedding.k_n" or "bedding[1].k_n"; field = nullptr if there is none.
@@ -218,14 +204,9 @@ class Reader {
       for (std::size_t i = 0; i < table->keys.size(); ++i) {
         const std::string& name = table->keys[i].name;
         const RecipeKey key = usable(name, table->keys[i].line, "set");
-        double value = 0.0;
-        std::string remedy;
         if (key.field == nullptr) continue;
-        // Units and ranges are those of the recipe.
-        if (io::take_value(*key.field, table->items[i], value, remedy))
-          key.put(study_.base, value);
-        else
-          report_problem(table->items[i], "set.\"" + name + "\"", range_text(*key.field), remedy);
+        if (const auto value = value_in(key, table->items[i], "set.\"" + name + "\""))
+          key.put(study_.base, *value);
       }
   }
 
@@ -257,7 +238,8 @@ class Reader {
     if (n_ways != 1 || (from == nullptr) != (to == nullptr))
       return report_problem(table, name, "one of: values; times; from and to",
                             "say once what " + key->text + " takes");
-    if (values != nullptr) read_values(f, *values, name + ".values");
+    if (values != nullptr && file_.is_known(name + ".values"))
+      f.levels = values_in(f.key, *values, name + ".values");
     if (times != nullptr) read_times(f, *times, name + ".times");
     if (from != nullptr) read_range(f, table, name);
     const bool by_levels = study_.design == Design::one_at_a_time || study_.design == Design::full_factorial;
@@ -266,16 +248,20 @@ class Reader {
                      "a range is for latin_hypercube, sobol, morris and saltelli");
     study_.vary.push_back(f);
   }
-  bool value_in(const Factor& f, const io::TomlValue& v, const std::string& name, double& value) {
+  /// One value of a key, with the units and the range of the recipe; nothing where it is none, which is
+  /// reported.
+  std::optional<double> value_in(const RecipeKey& key, const io::TomlValue& v, const std::string& path) {
+    double value = 0.0;
     std::string remedy;
-    if (io::take_value(*f.key.field, v, value, remedy)) return true;
-    report_problem(v, name, range_text(*f.key.field), remedy);
-    return false;
+    if (io::take_value(*key.field, v, value, remedy)) return value;
+    report_problem(v, path, range_text(*key.field), remedy);
+    return std::nullopt;
   }
-  void read_values(Factor& f, const io::TomlValue& list, const std::string& name) {
-    if (!file_.is_known(name)) return;
+  std::vector<double> values_in(const RecipeKey& key, const io::TomlValue& list, const std::string& path) {
+    std::vector<double> values;
     for (const io::TomlValue& v : list.items)
-      if (double value = 0.0; value_in(f, v, name, value)) f.levels.push_back(value);
+      if (const auto value = value_in(key, v, path)) values.push_back(*value);
+    return values;
   }
   void read_times(Factor& f, const io::TomlValue& list, const std::string& name) {
     if (!file_.is_known(name)) return;
@@ -298,7 +284,9 @@ class Reader {
     const io::TomlValue *from = table.find("from"), *to = table.find("to");
     if (f.key.field->kind == FieldKind::choice || f.key.field->kind == FieldKind::boolean)
       return report_problem(*from, name, "values for this key", "a range is for numbers");
-    if (!value_in(f, *from, name + ".from", f.from) || !value_in(f, *to, name + ".to", f.to)) return;
+    const auto low = value_in(f.key, *from, name + ".from"), high = value_in(f.key, *to, name + ".to");
+    if (!low || !high) return;
+    f.from = *low, f.to = *high;
     if (!(f.from < f.to))
       report_problem(*to, name + ".to", "above from = " + f.key.print(f.from),
                      f.from == f.to ? "give values = [...] for a single one" : "exchange the two");
@@ -322,7 +310,7 @@ class Reader {
         if (const auto [expected, remedy] = instead_by_angle(key, list); !expected.empty())
           report_problem(list, path, expected, remedy);
         else
-          read_by_angle(key, list, path);
+          study_.by_angle.push_back({key, values_in(key, list, path)});
       }
     }
   }
@@ -335,8 +323,6 @@ class Reader {
     if (key.field->table != "test" || path == "test.kind" || path == "test.intact")
       return {"a key of [test] other than kind and intact",
               "the specimens of a point differ in their angle and in how they are loaded"};
-    if (std::any_of(study_.by_angle.begin(), study_.by_angle.end(), is_this))
-      return {"every key once", "it stands above, perhaps by a former name: remove one"};
     if (std::any_of(study_.vary.begin(), study_.vary.end(), is_this))
       return {"a key that does not vary from point to point", "leave it out here, or out of the parameters"};
     if (test.angles.empty()) return {"test.angles in the base recipe", "use [set] for its one specimen"};
@@ -347,19 +333,6 @@ class Reader {
                 (test.intact ? ", then one for the intact specimen" : "") +
                 (list.kind == Kind::list ? "; these are " + std::to_string(list.items.size()) : "")};
   }
-  void read_by_angle(const RecipeKey& key, const io::TomlValue& list, const std::string& path) {
-    ByAngle entry{key, {}};
-    for (const io::TomlValue& v : list.items) {
-      double value = 0.0;
-      std::string remedy;
-      if (io::take_value(*key.field, v, value, remedy))
-        entry.values.push_back(value);
-      else
-        report_problem(v, path, range_text(*key.field), remedy);
-    }
-    study_.by_angle.push_back(std::move(entry));
-  }
-
   /// The table of a list design: a header of keys, with units in brackets, then numbers or words.
   void read_list() {
     const std::string name = file_.text("file", "");

@@ -414,13 +414,6 @@ TEST_F(Cli, ElasticComparesWithThePress) {
   EXPECT_THAT(output, HasSubstr("held: nothing breaks and nothing slips"));
 }
 
-TEST_F(Cli, ATableSweepOfAnEarlierVersionIsToldHowToWriteItNow) {
-  const std::string old = write("old.toml", "[[bedding]]\n[sweep]\nfactors = [0.5, 1, 2]\nmu = 3\n");
-  EXPECT_EQ(run("elastic " + old), 2);
-  EXPECT_THAT(output, HasSubstr("old.toml:2: sweep: expected a study with solver = \"direct\""));
-  EXPECT_EQ(run("recipe " + write("completed.toml", "[sweep]\nfactors = []\nn_packings = 1\n")), 0) << output;
-}
-
 TEST_F(Cli, SpecimenExportsAndImportsTheSamePacking) {
   ASSERT_EQ(run("specimen " + small_recipe() + " --out " + out()), 0) << output;
   ASSERT_TRUE(fs::exists(fs::path(out()) / "discs.csv"));

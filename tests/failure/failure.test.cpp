@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
               "900 discs of 0.665 mm fill 11 % of 38 mm x 76 mm. About 7500 fill it; or make them larger"},
         Wrong{"unknown_test", "[test]\nkind = \"uniaxal\"\n", "2: test.kind", "did you mean \"uniaxial\"?"},
         Wrong{"no_toml", "[specimen]\nwidth = 38 mm\n", "2:", "put a quantity in quotes"},
-        Wrong{"pre_strain_beyond_the_end", "[test]\njump_strain = 0.02\n", "2: test.pre_strain",
+        Wrong{"pre_strain_beyond_the_end", "[test]\npre_strain = 0.02\n", "2: test.pre_strain",
               "below max_strain"}),
     [](const auto& one) { return std::string(one.param.name); });
 
