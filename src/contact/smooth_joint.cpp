@@ -16,7 +16,7 @@ constexpr ElasticParameter joint_elasticity[] = {
 
 double area_of(const Specimen& s, const Contact& c) {
   const std::vector<Disc>& d = s.packing->discs;
-  return laws::smooth_joint::area(s.laid(c.set).radius_multiplier, d[c.a].r, d[c.b].r);
+  return laws::smooth_joint::area(s.bedding_of(c.set).radius_multiplier, d[c.a].r, d[c.b].r);
 }
 
 class SmoothJointModel final : public ContactModel {
@@ -36,7 +36,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   void parameters(const Specimen& specimen, std::uint8_t number, double* out) const override {
-    const BeddingRecipe& set = specimen.laid(number);
+    const BeddingRecipe& set = specimen.bedding_of(number);
     const Vec2 n = plane_normal(set.theta);
     // The normal is that of the plane and stays, as in PFC (small strain): grains may then slide into each
     // other along it.
@@ -55,7 +55,7 @@ class SmoothJointModel final : public ContactModel {
 
   void install(const Specimen& s, const Contact& c, double* fields) const override {
     // c.sigma_n is the drawn strength over its mean: 1 where the recipe has no scatter.
-    fields[F::capacity] = s.laid(c.set).sigma_n * c.sigma_n * area_of(s, c);
+    fields[F::capacity] = s.bedding_of(c.set).sigma_n * c.sigma_n * area_of(s, c);
   }
 
   void meet(double gap, double F_s, double* fields) const override {
@@ -67,12 +67,12 @@ class SmoothJointModel final : public ContactModel {
 
   Vec2 normal(const Specimen& s, const Contact& c, Vec2) const override {
     // From the first grain to the second, as the law has it.
-    return static_cast<double>(c.side) * plane_normal(s.laid(c.set).theta);
+    return static_cast<double>(c.side) * plane_normal(s.bedding_of(c.set).theta);
   }
 
   laws::Tangent<double> stiffness(const Specimen& s, const Contact& c, bool) const override {
     const double A = area_of(s, c);
-    return {s.laid(c.set).k_n * A, s.laid(c.set).k_s * A, 0.0};
+    return {s.bedding_of(c.set).k_n * A, s.bedding_of(c.set).k_s * A, 0.0};
   }
 
   ElasticPart elastic(const Specimen& s, const Contact& c, double) const override {
@@ -92,7 +92,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   void affine_start(const Standing& c, Vec2 du, double* fields) const override {
-    const BeddingRecipe& set = c.specimen.laid(c.set);
+    const BeddingRecipe& set = c.specimen.bedding_of(c.set);
     const Vec2 n = c.side * plane_normal(set.theta);
     // Bonded joints slide by elasticity alone; dilation is still zero.
     fields[F::shear] = -set.k_s * set.radius_multiplier * c.geometry[F::area] * dot(du, tangent(n));
@@ -101,7 +101,7 @@ class SmoothJointModel final : public ContactModel {
 
   bool at_strength(const Standing& c) const override {
     if (!unbroken(c.fields)) return false;
-    const BeddingRecipe& set = c.specimen.laid(c.set);
+    const BeddingRecipe& set = c.specimen.bedding_of(c.set);
     const double A = set.radius_multiplier * c.geometry[F::area];
     const double F_n = set.k_n * A * (c.fields[F::closure] + c.fields[F::dilation]);
     const double S = set.cohesion * A + F_n * tan_degrees(set.phi);
@@ -111,7 +111,7 @@ class SmoothJointModel final : public ContactModel {
   bool unbroken(const double* fields) const override { return fields[F::capacity] > 0.0; }
 
   void describe(const Standing& c, ContactState& out) const override {
-    const BeddingRecipe& set = c.specimen.laid(c.set);
+    const BeddingRecipe& set = c.specimen.bedding_of(c.set);
     const double A = set.radius_multiplier * c.geometry[F::area];
     out.kind = ContactKind::joint;
     out.broken = !unbroken(c.fields);
@@ -123,7 +123,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   void crack(const Standing& c, std::size_t, CrackEvent& out) const override {
-    const BeddingRecipe& set = c.specimen.laid(c.set);
+    const BeddingRecipe& set = c.specimen.bedding_of(c.set);
     out.place = CrackPlace::bedding;
     // Of the plane and not of the branch: the crack lies in the bedding.
     out.normal = plane_normal(set.theta);

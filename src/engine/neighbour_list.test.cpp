@@ -137,7 +137,7 @@ TEST(Contacts, AcrossAPlaneAreBrokenJoints) {
     for (const auto& [left_first, tilted] : {std::pair{true, false}, {false, false}, {true, true}}) {
       const Specimen s = across_a_plane(left_first, tilted);
       Meeting t(s, left_first ? 0 : 1, precision);
-      const double k = s.laid(1).k_n * 2.0 * R;
+      const double k = s.bedding_of(1).k_n * 2.0 * R;
       const double tolerance = precision == Precision::double_precision ? 1e-9 : 1e-4;
       double met_at = 0.0, force = 0.0, largest = 0.0;  // way when they met [m]; [N/m]
       for (int cycle = 1; cycle <= 40; ++cycle) {

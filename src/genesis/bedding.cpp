@@ -64,7 +64,7 @@ double deviate(std::int64_t seed, Stream stream, std::uint8_t set, std::int32_t 
 class Layer {
  public:
   Layer(const Specimen& specimen, std::uint8_t number)
-      : recipe_(specimen.laid(number)),
+      : recipe_(specimen.bedding_of(number)),
         seed_(static_cast<std::uint32_t>(specimen.matrix.bond_seed)),
         set_(specimen.set_of(number)),
         first_plane_(specimen.laid_sets.empty() ? 0 : specimen.laid_sets[number].plane),
@@ -114,7 +114,7 @@ class Layer {
 
 void lay_set(Specimen& specimen, std::uint8_t number) {
   const Packing& packing = *specimen.packing;
-  const BeddingRecipe& recipe = specimen.laid(number);
+  const BeddingRecipe& recipe = specimen.bedding_of(number);
   const Layer layer(specimen, number);
   std::int32_t* label = &specimen.plane_label[number * packing.discs.size()];
   // Dispersed joints and layers without any keep the label 0: grains that meet later meet in the matrix.
@@ -138,7 +138,7 @@ void lay_set(Specimen& specimen, std::uint8_t number) {
 /// Bonds within the layers of a set get the layers' stiffness and strengths; the first layer has them.
 void lay_layers(Specimen& specimen, std::uint8_t number, std::vector<char>& in_layer) {
   const Packing& packing = *specimen.packing;
-  const BeddingRecipe& recipe = specimen.laid(number);
+  const BeddingRecipe& recipe = specimen.bedding_of(number);
   if (recipe.layer_thickness == 0.0) return;
   const PlaneSet planes(recipe, packing.width, packing.height);
   for (std::size_t i = 0; i < specimen.contacts.size(); ++i) {
@@ -162,7 +162,7 @@ BeddingReport report_on(const Specimen& specimen, std::uint8_t set) {
   for (std::size_t k = 0; k < specimen.n_laid(); ++k) {
     if (specimen.set_of(static_cast<std::uint8_t>(k)) != set) continue;
     labels.push_back(&specimen.plane_label[k * n]);
-    length += PlaneSet(specimen.laid(k), packing.width, packing.height).total_length();
+    length += PlaneSet(specimen.bedding_of(k), packing.width, packing.height).total_length();
   }
   long n_joints = 0, n_same_side = 0, n_crossing = 0, n_bridges = 0;
   for (const Contact& c : specimen.contacts) {

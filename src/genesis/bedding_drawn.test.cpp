@@ -265,7 +265,7 @@ TEST_F(ScatterInRock, AJointCrossesThePlaneThatItIsNumberedBy) {
   for (const Contact& c : s.contacts) {
     if (c.kind != ContactKind::joint) continue;
     ++n_joints;
-    const BeddingRecipe& plane = s.laid(c.set);
+    const BeddingRecipe& plane = s.bedding_of(c.set);
     const double angle = plane.theta * pi / 180.0;
     const auto height = [&](const Disc& d) {
       return -std::sin(angle) * (d.x - 0.005) + std::cos(angle) * (d.y - 0.006) - plane.offset;

@@ -191,7 +191,8 @@ std::string contacts_csv(const Specimen& s) {
          {normal.x, normal.y, gap, k.k_n, k.k_s, c.sigma_c, c.tau_c, k.k_m, point.x, point.y})
       text += "," + print_number(v);
     if (drawn)
-      text += "," + print_number(c.kind == ContactKind::joint ? s.laid(c.set).sigma_n * c.sigma_n : 0.0);
+      text +=
+          "," + print_number(c.kind == ContactKind::joint ? s.bedding_of(c.set).sigma_n * c.sigma_n : 0.0);
     text += "\n";
   }
   return text;

@@ -91,7 +91,7 @@ struct Specimen {
 
   /// Sets as laid: what contacts and labels number.
   std::size_t n_laid() const { return laid_sets.empty() ? bedding.size() : laid_sets.size(); }
-  const BeddingRecipe& laid(std::size_t number) const {
+  const BeddingRecipe& bedding_of(std::size_t number) const {
     return laid_sets.empty() ? bedding[number] : laid_sets[number].recipe;
   }
   /// The set of the recipe that a set as laid belongs to.

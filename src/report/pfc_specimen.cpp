@@ -155,7 +155,7 @@ std::string joints_text(const Specimen& s) {
   for (const Contact& c : s.contacts) {
     if (c.kind != ContactKind::joint) continue;
     const int set = s.set_of(c.set);
-    const BeddingRecipe& b = s.laid(c.set);
+    const BeddingRecipe& b = s.bedding_of(c.set);
     text += fmt::format("[set_{}(contact_of({},{}))]\n[joint({},{},{},{},{})]\n", set + 1, c.a + 1, c.b + 1,
                         c.a + 1, c.b + 1, print_number(b.theta), int{c.side},
                         print_number(b.sigma_n * c.sigma_n));
