@@ -21,6 +21,7 @@ void apply_rule(LoadingBranch& branch, const History& history, const StopRule& s
     if (!std::isfinite(r.axial_stress) || !std::isfinite(r.axial_strain)) continue;
     rows.push_back(&r), strain.push_back(r.axial_strain), stress.push_back(r.axial_stress);
   }
+  // Rows that hold no number are no part of a curve; the answer is a place among those that are.
   const StrengthPoint point = strength_point(strain, stress, stop);
   const HistoryRow* const at = rows[point.row];
   // All numbers before the strength are read in rows up to it.

@@ -66,6 +66,7 @@ double distance_of_curves(const History& ours, const History& theirs, const Stop
   for (const HistoryRow& row : a.rows) {
     // Behind either peak the curves part by chance.
     if (!(row.axial_strain <= std::min(a.strain, b.strain))) continue;
+    // At our strains: rows of the two lie elsewhere.
     const double difference = stress_at(b, row.axial_strain) - row.axial_stress;
     if (!std::isfinite(difference)) continue;
     sum += difference * difference, ++n;

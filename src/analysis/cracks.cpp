@@ -26,6 +26,7 @@ CrackCounts count_cracks(const std::vector<CrackEvent>& cracks, double up_to_str
   for (const CrackEvent& c : cracks) {
     // Without a peak its strain is NaN, and no crack is counted.
     if (!(c.strain <= up_to_strain)) continue;
+    // How it broke and where it lay: four counts.
     const bool tension = c.mode == CrackMode::tension;
     if (c.place == CrackPlace::matrix)
       ++(tension ? n.tension_matrix : n.shear_matrix);
@@ -37,6 +38,7 @@ CrackCounts count_cracks(const std::vector<CrackEvent>& cracks, double up_to_str
 
 std::vector<Number> crack_numbers(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks) {
   constexpr double all = std::numeric_limits<double>::infinity();
+  // In the whole test, also behind the peak: pictures show these.
   const CrackCounts at_end = count_cracks(cracks, all), at_peak = count_cracks(cracks, branch.strain);
   std::vector<Number> out;
   for (const Kind& k : kinds)

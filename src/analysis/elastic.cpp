@@ -138,6 +138,7 @@ Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom f
            fmt::format("{} over axial strain of the {} where the stress first reaches {:g} % of {}",
                        branch.stress, place_of(branch, from), 100 * fraction, branch.strength),
            branch_note(branch)};
+  // Of the strength, so that weak and strong rock are read at like states.
   const double level = fraction * branch.largest;
   const auto strain = axial_strain_of(from);
   const HistoryRow* before = nullptr;

@@ -18,6 +18,7 @@ constexpr const char* no_energies = "the history holds no energies";
 std::vector<HistoryColumn> energy_columns() {
   std::vector<HistoryColumn> terms;
   for (const HistoryColumn& c : balance_columns())
+    // By the unit: a term that comes later is taken along.
     if (std::string(c.unit) == "J/m") terms.push_back(c);
   return terms;
 }
@@ -102,6 +103,7 @@ Number peak_confirmed(const LoadingBranch& branch, const History& history) {
 /// way before may have been jumped over, or run through in a ramp.
 double rise_time(const LoadingBranch& branch) {
   const auto& rows = branch.rows;
+  // One row has no rate.
   if (rows.size() < 2) return nan;
   std::size_t half = rows.size() - 2;
   // The second half is loaded evenly in every test.

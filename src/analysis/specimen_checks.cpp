@@ -81,6 +81,7 @@ Number broken_at_start(const Specimen& specimen, const std::vector<CrackEvent>& 
   Number share{"broken_at_start", nan, "1",
                "share of the matrix bonds that the confining or normal stress broke before loading began",
                ""};
+  // Pairs and not cracks: a bond of four elements breaks four times.
   std::set<std::pair<std::uint32_t, std::uint32_t>> bonds;
   for (const Contact& c : specimen.contacts)
     if (c.kind == ContactKind::bonded && (c.sigma_c > 0.0 || c.tau_c > 0.0)) bonds.emplace(c.a, c.b);
@@ -110,6 +111,7 @@ std::vector<Number> specimen_checks(const Specimen& specimen) {
   if (specimen.bedding.empty()) return out;
   double spacing = std::numeric_limits<double>::infinity();
   for (const BeddingRecipe& set : specimen.bedding)
+    // The narrowest set decides: its layers have fewest grains.
     if (set.has_planes()) spacing = std::min(spacing, set.spacing);
   // Dispersed joints alone have no spacing.
   if (std::isfinite(spacing))

@@ -35,6 +35,7 @@ class Slopes {
   double slope(std::size_t first, std::size_t last) const {
     const Sums &a = sums_[first], &b = sums_[last];
     const double n = static_cast<double>(last - first), x = b.x - a.x, y = b.y - a.y;
+    // Differences of running sums: every window costs the same, however long.
     const double spread = n * (b.xx - a.xx) - x * x;
     return spread > 0.0 ? (n * (b.xy - a.xy) - x * y) / spread : nan;
   }
@@ -55,6 +56,7 @@ bool is_over(Values strain, Values stress, std::size_t top, const StopRule& stop
   const double far =
       stop.post_peak > 0.0 ? (1.0 + stop.post_peak) * strain[top] : std::numeric_limits<double>::infinity();
   for (std::size_t i = top + 1; i < strain.size(); ++i)
+    // Whichever the recipe asks for: a fall, or strain without a new peak.
     if (stress[i] < stop.stop_at * stress[top] || strain[i] > far) return true;
   return false;
 }

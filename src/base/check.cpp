@@ -29,6 +29,7 @@ std::vector<Problem> by_line(const std::vector<Problem>& problems) {
     const auto [file, line] = place_of(problems[i]);
     const auto known = std::find(files.begin(), files.end(), file);
     places.emplace_back(known - files.begin(), line, i);
+    // Not by name: the recipe that was read first is mended first.
     if (known == files.end()) files.push_back(file);
   }
   // The place in the list breaks ties: problems of one line stay in order.

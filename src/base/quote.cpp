@@ -103,6 +103,7 @@ std::string csv_cell(std::string_view text) {
                     // Programs take blanks at the ends off, and what begins with # for a comment.
                     !plain.starts_with(' ') && !plain.ends_with(' ');
   if (bare) return plain;
+  // As RFC 4180 has it.
   std::string cell = "\"";
   for (const char c : plain) cell += c == '"' ? "\"\"" : std::string(1, c);
   return cell + "\"";
@@ -113,6 +114,7 @@ std::string sh_word(std::string_view text) {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=:,@%";
   if (!text.empty() && text.find_first_not_of(harmless) == text.npos) return std::string(text);
   std::string word = "'";
+  // Inside single quotes a shell knows no escape: they are ended, and begun again.
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
   return word + "'";
 }

@@ -13,6 +13,7 @@ std::size_t n_slips(const std::string& a, const std::string& b) {
       n[i][j] = i == 0 ? j : j == 0 ? i : n[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       if (i == 0 || j == 0) continue;
       n[i][j] = std::min({n[i][j], n[i - 1][j] + 1, n[i][j - 1] + 1});
+      // Damerau: two letters in the wrong order are one slip of a hand.
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
         n[i][j] = std::min(n[i][j], n[i - 2][j - 2] + 1);
     }

@@ -19,6 +19,7 @@ double mean_of(std::span<const double> values) {
 }  // namespace
 
 double chi_square_99(std::size_t degrees) {
+  // What a sum of so many squares of errors exceeds once in a hundred times.
   return boost::math::quantile(boost::math::chi_squared(static_cast<double>(degrees)), 0.99);
 }
 

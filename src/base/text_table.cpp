@@ -48,6 +48,7 @@ std::string broken(std::string line, std::size_t width, std::size_t indent) {
   std::string text;
   while (line.size() > width) {
     const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    // The last blank that still fits.
     std::size_t space = line.rfind(' ', width);
     if (space == line.npos || space < begin) space = line.find(' ', std::max(begin, width));  // a long word
     const std::size_t next = line.find_first_not_of(' ', space);

@@ -280,6 +280,7 @@ std::string print_shifted(double value, int power) {
 
 /// The unit that a value is written in; of a pressure without a value MPa: only moduli are larger.
 std::string unit_of(double usual, Dimension dimension) {
+  // Zero has no unit that suits it.
   const bool unknown_stress = dimension == Dimension::pressure && usual == 0.0;
   const std::string text = print_quantity(unknown_stress ? 1e6 : usual, dimension);
   return text.substr(text.find(' ') + 1);

@@ -147,6 +147,7 @@ void lay_layers(Specimen& specimen, std::uint8_t number, std::vector<char>& in_l
     const Vec2 point = contact_point(packing.discs[c.a], packing.discs[c.b]);
     if (planes.distance(planes.height_of(point.x, point.y)) > 0.5 * recipe.layer_thickness) continue;
     in_layer[i] = 1;
+    // Stiffness as a factor beside the direction's; strengths at once, for they are drawn already.
     c.layer = recipe.layer_stiffness;
     c.sigma_c *= recipe.layer_strength, c.tau_c *= recipe.layer_strength;
   }
@@ -169,6 +170,7 @@ BeddingReport report_on(const Specimen& specimen, std::uint8_t set) {
     // A grain on either side of any of the set's planes.
     const bool crosses = std::any_of(labels.begin(), labels.end(), [&](auto* l) { return l[c.a] != l[c.b]; });
     if (crosses) ++n_crossing;
+    // Of any set: a contact that another set has made a joint is no bridge.
     if (crosses && c.kind != ContactKind::joint) ++n_bridges;
     if (c.kind != ContactKind::joint || specimen.set_of(c.set) != set) continue;
     ++n_joints;

@@ -57,6 +57,7 @@ std::vector<Disc> draw_radii(const SpecimenSize& size, const PackingRecipe& r) {
   for (;;) {
     const double radius = draw_radius(r, static_cast<std::uint32_t>(discs.size()));
     const double area = pi * radius * radius;
+    // The last disc where it brings the porosity nearer: on average none is missing or too many.
     if (missing < 0.5 * area) return discs;
     discs.push_back({0.0, 0.0, radius});
     missing -= area;

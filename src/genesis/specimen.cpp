@@ -55,6 +55,7 @@ std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, con
     turn_layers(matrix, bedding, theta);
     specimens.push_back(make_specimen(packing, matrix, std::move(bedding), specimen_name(theta)));
   }
+  // Rock without layers is itself the intact specimen.
   if (recipe.test.intact || !layered(recipe))
     specimens.push_back(make_specimen(packing, recipe.matrix, {}, "intact"));
   return specimens;

@@ -47,6 +47,7 @@ const std::vector<LawInfo>& law_infos() {
 std::unique_ptr<BenchContact> bench_contact(std::string_view law, std::span<const double> parameters) {
   std::unique_ptr<BenchContact> made;
   for_each_law([&]<class Law>(Law*) {
+    // The list of laws is a list of types: the word picks one at run time.
     if (law == Law::name) made = std::make_unique<Bench<Law>>(parameters);
   });
   return made;

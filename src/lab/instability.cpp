@@ -61,6 +61,7 @@ class Suspects {
   void boundary_stress(bool jacket) {
     const KeptStress& kept = recipe_.test.kind->kept_stress;
     const double stress = kept.value != nullptr ? recipe_.test.*kept.value : 0.0;
+    // Rock fails far below, so that such a stress is a slip of the unit.
     if (stress < squeezed * matrix_.E_c) return;
     add("lower test.{}: it is {:.2g} of the contact modulus{}", kept.key, stress / matrix_.E_c,
         jacket ? "; test.confinement = \"walls\" does not drive grains that have come loose, as a jacket does"
@@ -86,6 +87,7 @@ class Suspects {
       add("{} is {:.1e} of {}: bring them closer", key, value, of);
   }
   void stiffnesses() {
+    // Flat joints have one modulus.
     if (matrix_.model == MatrixModel::parallel_bond)
       ratio("matrix.E_b", matrix_.E_b / matrix_.E_c, "matrix.E_c");
     double radius = 0.0;

@@ -80,6 +80,7 @@ void Procedure::start_loading() {
   approaching_ = recipe_.test.approach_strain > 0.0;
   group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prescribe_motion();
+  // Of the specimen as it was made: strains and stresses refer to it.
   result_.history.width = packing().width;
   result_.history.height = packing().height;
 }
@@ -388,6 +389,7 @@ void Procedure::note_fall(double strain, double stress) {
 void Procedure::judge_approach() {
   const TestRecipe& test = recipe_.test;
   if (test.approach_strain == 0.0 || test.approach_speed == test.platen_speed) return;
+  // The ramp between both speeds belongs to neither.
   const double slow_from = test.approach_strain + test.ramp_strain;
   Number share{"slow_share", std::nan(""), "1",
                "part of the way to the largest stress, in strain, behind the fast approach", ""};
@@ -403,6 +405,7 @@ void Procedure::read_numbers() {
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   result_.numbers.push_back({"damping", recipe_.engine.damping, "1", "local damping coefficient", ""});
+  // What the confinement broke is damage that the strength contains.
   if (const KeptStress& kept = test().kept_stress; kept.value != nullptr && recipe_.test.*kept.value > 0.0)
     result_.numbers.push_back(analysis::broken_at_start(*specimen_, result_.cracks, loads_from_));
   judge_approach();
@@ -443,6 +446,7 @@ TestResult blank_result(const Specimen& specimen, TestKind kind) {
   r.name = specimen.name;
   r.kind = r.history.kind = kind;
   r.n_grains = static_cast<std::int64_t>(specimen.packing->discs.size());
+  // Foliation of the matrix counts as layers, too.
   r.intact = !layered(specimen);
   if (!r.intact) r.theta = inclination(specimen);
   return r;

@@ -21,6 +21,7 @@ const auto& rooms() {
 }
 
 std::span<const TestDescription* const> descriptions() {
+  // Made once: kinds of recipes and results are pointers into this list.
   static const auto tests = [] {
     std::array<const TestDescription*, std::tuple_size_v<std::decay_t<decltype(rooms())>>> all{};
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = &rooms()[i]->description;

@@ -67,6 +67,7 @@ Network make_network(const Specimen& specimen, Vec2 period, const contact::Model
   for (const Disc& d : specimen.packing->discs) net.x.push_back({d.x, d.y}), radii += d.r;
   // The mean radius: what compares rotations with displacements.
   if (net.n_grains > 0) net.length = radii / static_cast<double>(net.n_grains);
+  // In the order of the contacts, on which the bits of all sums depend.
   net.links.reserve(specimen.contacts.size());
   for (const Contact& c : specimen.contacts) net.links.push_back(link_of(specimen, c, period, models));
   return net;
@@ -79,6 +80,7 @@ void add_platens(Network& net, const Specimen& specimen, Platens platens) {
     net.x.push_back({0.5 * packing.width, top ? packing.height : 0.0});
     for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
       const Disc& d = packing.discs[i];
+      // By the tolerance of bonds: discs are settled against the walls, and touch them to rounding.
       if ((top ? packing.height - d.y : d.y) - d.r > contact::touching_gap * d.r) continue;
       Link l;
       l.a = body, l.b = i;
@@ -101,6 +103,7 @@ std::vector<laws::Tangent<double>> stiffness_rates(const Network& net, const Spe
   std::vector<laws::Tangent<double>> rates(net.links.size(), laws::Tangent<double>{0.0, 0.0, 0.0});
   for (std::size_t i = 0; i < net.n_contacts; ++i) {
     const Contact& c = s.contacts[i];
+    // A parameter of one set moves its own joints alone.
     if (p.bedding != nullptr && (c.kind != ContactKind::joint || s.set_of(c.set) != set)) continue;
     const double gap = gap_of(s, c, branch_of(s, c, net.links[i].shift));
     const contact::ElasticPart rate = net.models.of(c.kind).elastic_rate(s, c, gap, p);

@@ -28,6 +28,7 @@ bool leaves_no_motion(std::vector<Row> rows) {
     const auto big = std::max_element(rows.begin(), rows.end(),
                                       [&](const Row& x, const Row& y) { return size(x) < size(y); });
     if (big == rows.end() || !(size(*big) > tiny * tiny)) return false;
+    // The longest first: small rows that are left of it are rounding.
     const Row unit = *big;
     const double inverse = 1.0 / size(unit);
     for (Row& r : rows) {

@@ -90,6 +90,7 @@ void add_together(const contact::ElasticParameter& p, const Sensitivity& s,
 
 void UniaxialStatics::prepare(const Specimen& specimen, const ElasticOptions& options) {
   specimen_ = &specimen;
+  // Contacts first, platens behind them: numbers of contacts are those of the specimen.
   network_ = make_network(specimen);
   add_platens(network_, specimen, options.platens);
   const auto bottom = static_cast<std::uint32_t>(network_.n_grains), top = bottom + 1;
@@ -328,6 +329,7 @@ std::vector<ElasticResult> solve_all(const std::vector<Specimen>& specimens, con
   for_all(order.size(), threads, [&] {
     return [&, statics = UniaxialStatics()](std::size_t next) mutable {
       const std::size_t i = order[next];
+      // What the user has stopped keeps an empty result.
       if (options.stop == nullptr || !*options.stop) results[i] = statics.solve(specimens[i], options);
     };
   });

@@ -23,6 +23,7 @@ std::optional<Exact> exact_form(std::string_view law, std::span<const double> v,
     const int mode = static_cast<int>(v[6]);
     e.slider = {v[0], v[1], v[2]};
     e.c_n = v[3], e.c_s = v[4];
+    // PFC's dp_mode.
     e.no_tension = mode == 1 || mode == 3;
     e.cut_while_slipping = mode == 2 || mode == 3;
     dt = 1.0 / v[5];
@@ -31,6 +32,7 @@ std::optional<Exact> exact_form(std::string_view law, std::span<const double> v,
   if (law == "parallel_bond") return theory::ExactBond{{v[0], v[1], v[2], v[3], v[4], v[5], v[6], {}}};
   if (law == "smooth_joint") {
     theory::ExactJoint e;
+    // A smooth joint carries no couple: no bending stiffness, no arm.
     e.cement = {v[0], v[1], 0.0, 0.0, v[3], v[4], v[6], {}};
     e.slider = {v[0], v[1], v[2], v[5]};
     return e;
@@ -50,6 +52,7 @@ std::vector<ContactForces> witness(std::string_view law, std::span<const double>
   std::vector<ContactForces> forces(1);
   ContactPoint from;
   for (const ContactPoint& corner : corners) {
+    // Each step in one piece from the corner: errors of steps cannot add up.
     Exact now = *at_corner;
     for (int i = 1; i <= steps; ++i) {
       now = *at_corner;

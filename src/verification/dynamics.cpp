@@ -214,6 +214,7 @@ Specimen jointed_chain(int n, std::uint32_t at) {
   s.plane_label.assign(discs.size(), 0);
   bond_touching(s);
   for (Contact& c : s.contacts)
+    // One contact of the chain becomes the joint.
     if (c.b == at) c.kind = ContactKind::joint, c.side = -1;  // n_j = (-1, 0) against the branch (1, 0)
   return s;
 }
@@ -224,6 +225,7 @@ std::vector<Check> wave_through_joint() {
   constexpr int n = 1200, at = 600;
   constexpr double q = 0.10, centre = 300.0, width = 40.0;  // phase per disc; disc numbers
   Specimen s = jointed_chain(n, at);
+  // Per unit of thickness: stiffness of a bond and of the joint, whose areas are alike.
   const double K = s.matrix.E_b, m = mass(s, 0), k_j = s.bedding[0].k_n * 2.0 * R_disc;
   Bench b(std::move(s), 0.0, 50, 0.25);
   // The frequency of the leap-frog, which is above that of springs and masses.
@@ -266,6 +268,7 @@ std::vector<Check> energy_balance() {
   s.bedding = {set};
   bond_touching(s);
   joint_crossing(s);
+  // As users run: usual damping, interval and step.
   Bench b(std::move(s), 0.7, 100, 0.92);
   b.group->place_boundary(0);
   const double ramp = 2e-5 * b.specimen->packing->height / 0.05;
@@ -276,6 +279,7 @@ std::vector<Check> energy_balance() {
   for (int i = 0; i < 400 && n < 60; ++i) {
     b.group->advance();
     n = b.group->cracks(0).size();
+    // At the start the work is next to nothing, and any error large beside it.
     if (i > 20) worst = std::max(worst, std::fabs(b.group->row(0).energy_error));
   }
   return {{"work not accounted for / boundary work, largest, through breakage [-]", 0.0, worst, 1e-3},
@@ -294,6 +298,7 @@ std::vector<Check> stable_step() {
   Specimen pair = bonded_pair();
   const double A = 2.0 * R_disc, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;
   const double Ks = pair.matrix.bond_ks_over_kn * pair.matrix.E_b + pair.matrix.ks_over_kn * pair.matrix.E_c;
+  // Stretch and shear of a pair; spins make the second stiffer.
   const double highest = std::sqrt(std::max(2.0 * Kn, 6.0 * Ks) / m);
   std::vector<Disc> discs;
   for (int i = 0; i < 200; ++i) discs.push_back({2.0 * R_disc * i, 0.0, R_disc});
@@ -354,8 +359,10 @@ double static_stiffness(const Column& c) {
     if (c.at(i) < end) pull.loads.push_back({{i, c.axis}, -1.0 / n_end});
     if (c.at(i) > last + R_disc - end) pull.loads.push_back({{i, c.axis}, 1.0 / n_end});
   }
+  // The rigid motion; loads balance, so that this grain carries nothing.
   for (int component = 0; component < 3; ++component) pull.movements.push_back({{0, component}, 0.0});
   const statics::Movements u = statics::solve_once(net, pull).u;
+  // Whole layers: a piece that ended within one would weigh soft and stiff unevenly.
   const double thick = 2.0 * c.spacing, apart = std::floor(0.5 * c.length / c.spacing) * c.spacing;
   const auto mean = [&](double from) {
     double sum = 0.0, n = 0.0;

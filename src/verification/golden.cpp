@@ -98,6 +98,7 @@ std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine, cons
   const auto packing =
       std::make_shared<const Packing>(genesis::make_packing(any.specimen, any.packing, any.matrix));
   std::vector<GoldenHash> hashes(tests.size() + 1);
+  // The packing comes first: where it differs, all others do.
   hashes.front() = held("packing", packing->hash);
   study::MachineOptions alone = machine;
   // Tests run side by side already, each on a thread of its own.

@@ -91,6 +91,7 @@ std::vector<Check> directional_lattice() {
   for (const double theta : {0.0, 25.0, 90.0}) {
     Cell cell = hexagonal_cell(4, 4);
     MatrixRecipe& m = cell.specimen.matrix;
+    // Far from 1, so that terms of second order would show.
     m.stiffness_ratio = 2.2, m.foliation = theta;
     const double turn = theta * pi / 180.0, W = (1.0 - 2.2) / (1.0 + 2.2);
     Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
@@ -169,6 +170,7 @@ std::vector<Check> joint_rows() {
     // Equilibrium sideways, along the load in a bonded row, and along it in a joint row.
     const Eigen::Vector3d x = M.fullPivLu().solve(Eigen::Vector3d(R_cell, R_cell, 0.0));
     const Eigen::Matrix3d S = cell.stiffness().inverse();
+    // The period: all bonded rows and one joint row, each by its own opening.
     checks.push_back({"E across a joint row every " + std::to_string(m) + " rows [Pa]",
                       rows * root3 * R_cell / ((rows - 1.0) * x[1] + x[2]), 1.0 / S(1, 1), exact});
   }
@@ -188,6 +190,7 @@ std::vector<Check> cantilever_of(const MatrixRecipe& matrix, double k_s, double 
   const std::vector<char> bonds_only(net.links.size(), 0);
   statics::Boundary boundary;
   statics::move_with(boundary, net, 0, {});
+  // Two load cases: sag and turn of the end under each, four compliances of a beam.
   boundary.loads = {{{n, 1}, P}};
   const statics::Movements force = statics::solve_once(net, boundary, bonds_only).u;
   boundary.loads = {{{n, 2}, P}};
@@ -239,6 +242,7 @@ std::vector<Check> contact_forces() { return forces_of(hexagonal_cell(4, 4)); }
 std::vector<Check> lattice_of_flat_joints() {
   const Cell cell = hexagonal_cell(4, 4, elastic_flat_joints());
   const auto& links = cell.network().links;
+  // A bonded interface pulls as it pushes; V1 holds then for tension, too.
   const auto n = std::count_if(links.begin(), links.end(), [](const auto& l) { return l.unilateral; });
   std::vector<Check> checks = {{"contacts that only push", 0.0, static_cast<double>(n), 0.0}};
   const MatrixRecipe& m = cell.specimen.matrix;

@@ -12,6 +12,7 @@ namespace {
 
 std::vector<Check> goodman_by_rotation() {
   theory::JointedRock rock;
+  // Two closed forms of one thing, neither of which was derived from the other.
   rock.E = 45e9, rock.K_n_delta = 6406e9 * 0.005, rock.K_s_delta = 1666e9 * 0.005, rock.nu = 0.27;
   const theory::PlaneCompliance across =
       theory::plane_compliance(theory::ti_from_goodman(rock), theory::PlaneState::stress);

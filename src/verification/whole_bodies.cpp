@@ -40,6 +40,7 @@ CrackedPlate cracked_plate(int n_x, int n_y, double a, double E, double nu) {
   });
   const statics::Network net = statics::make_network(s);
   statics::Boundary boundary;
+  // Each grain of the end rows carries the stress over its own width.
   const auto top = static_cast<std::uint32_t>(n_x * (n_y - 1));
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n_x); ++i) {
     boundary.loads.push_back({{i, 1}, -2.0 * R_body});
@@ -50,8 +51,10 @@ CrackedPlate cracked_plate(int n_x, int n_y, double a, double E, double nu) {
   const statics::Movements u = statics::solve_once(net, boundary).u;
   CrackedPlate plate;
   for (const statics::Given& load : boundary.loads)
+    // Clapeyron: the work of the loads is twice the energy that is stored.
     plate.energy += 0.5 * load.value *
                     u[std::size_t{3} * load.where.body + static_cast<std::size_t>(load.where.component)];
+  // The lattice is isotropic (V1): K_I may be read with two constants.
   const statics::Compliance S = {
       {{1.0 / E, -nu / E, 0.0}, {-nu / E, 1.0 / E, 0.0}, {0.0, 0.0, 2.0 * (1.0 + nu) / E}}};
   plate.K_I = statics::stress_intensity(net, u, {{a, middle}, {1.0, 0.0}, 8.0 * R_body, 0.4 * a}, S).K_I;
@@ -68,6 +71,7 @@ std::vector<Check> energy_release() {
     // Ends half-way between the bonds that cross the middle, one every R.
     const double a = R_body * (std::round(share * 2.0 * n_x) + 1.0), step = 4.0 * R_body;
     const double G =
+        // At equal load the energy grows with the crack: a central difference gives its release.
         (cracked_plate(n_x, n_y, a + step, E, nu).energy - cracked_plate(n_x, n_y, a - step, E, nu).energy) /
         (2.0 * step);
     const double K = cracked_plate(n_x, n_y, a, E, nu).K_I;
@@ -84,6 +88,7 @@ std::vector<Check> joint_in_column() {
   Recipe r;
   r.specimen = {0.01, 0.028};
   r.packing.n_grains = 730;
+  // Stiff and strong rock: the joint alone is to deform and to fail.
   r.matrix.E_c = r.matrix.E_b = 1000e9;
   r.matrix.sigma_c = r.matrix.tau_c = 300e6, r.matrix.sigma_c_sd = r.matrix.tau_c_sd = 30e6;
   r.test.kind = TestKind("biaxial");
@@ -95,7 +100,9 @@ std::vector<Check> joint_in_column() {
   r.test.max_strain = 2e-3;
   r.bedding.resize(1);
   BeddingRecipe& set = r.bedding.front();
+  // One plane in the column: the next one is ten metres away.
   set.rule = BeddingRule::crossing, set.spacing = 10.0;
+  // Friction before and after breakage alike, so that the peak is Coulomb's.
   set.sigma_n = 1e9, set.cohesion = 5e6, set.mu = 0.4, set.phi = std::atan(0.4) * 180.0 / pi;
   const auto packing =
       std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));

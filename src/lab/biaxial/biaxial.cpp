@@ -37,6 +37,7 @@ constexpr double most_confining_strain = 0.05;  // beyond, the specimen has fail
 /// For the servo of a pair of platens of that area, `length` apart [m]: change of force per displacement of
 /// each within a block of `time`, of rock as stiff as its contacts, at rest and as a wave [N/m per m].
 double block_stiffness(const Specimen& specimen, double area, double length, double time) {
+  // Rock cannot be stiffer than its contacts: a servo that assumes this does not overshoot.
   return 2.0 * specimen.matrix.modulus() * area / length + wave_stiffness(specimen.matrix, area, time);
 }
 
@@ -164,6 +165,7 @@ TestDescription description() {
              {"ci strain", "MPa, q", "sigma_ci_strain", 1e-6, 2},
              {"sigma_cd", "MPa, q", "sigma_cd", 1e-6, 2},
              {"confinem.", "error", "confinement_error", 1.0, 4}};
+  // Under confinement rock may yield without a peak.
   d.may_harden = true;
   d.kept_stress = {"confining_stress", &TestRecipe::confining_stress};
   d.loading_text = [](const Recipe& r) { return platens_text(r.test) + ". " + sides_text(r.test); };

@@ -74,6 +74,7 @@ class BrazilianTest final : public Procedure {
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 };
 
+/// The ramp is over the diameter, as strains of this test are.
 void BrazilianTest::prescribe_motion() { close_platens(disc_diameter(recipe_)); }
 
 std::vector<Number> BrazilianTest::numbers(const analysis::WavePath& path) const {

@@ -34,6 +34,7 @@ std::vector<Number> place_of_splitting(const History& history, const analysis::L
     const double dx = (c.position.x - 0.5 * history.width) / diameter;
     const double dy = (c.position.y - 0.5 * history.height) / diameter;
     if (n == 0.0) x.value = dx, y.value = dy;
+    // Cracks come in the order of their cycles: the first is the first.
     n += 1.0;
     central += std::fmax(std::fabs(dx), std::fabs(dy)) <= central_third ? 1.0 : 0.0;
   }

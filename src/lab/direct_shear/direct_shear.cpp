@@ -89,6 +89,7 @@ engine::Servo DirectShearTest::normal_load(double stress, double spring, double 
 }
 
 void DirectShearTest::on_placed() {
+  // Boxes that nothing presses have no stress to wait for.
   if (recipe_.test.normal_stress == 0.0) return start_loading();
   group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prepare(0);

@@ -61,6 +61,7 @@ double root_mean_square(const std::vector<double>& errors) {
 
 double lifted_share(const std::vector<double>& errors) {
   const auto n = std::count_if(errors.begin(), errors.end(), [](double e) { return e < touching - 1.0; });
+  // Without a normal load there are no rows: NaN.
   return static_cast<double>(n) / static_cast<double>(errors.size());
 }
 
@@ -99,6 +100,7 @@ std::vector<Number> plane_numbers(const History& history, const analysis::Loadin
   const Rows residual = between(history, (1.0 - residual_part) * end, end);
   // Right behind the peak asperities still break: dilation is read where they slide.
   const Rows sliding = between(history, 0.5 * (branch.strain + end), end);
+  // Between 40 and 60 % of the strength: beyond the seating of the boxes, before slip.
   Rows middle;
   for (const HistoryRow& r : analysis::first_passage(branch, {0.4, 0.6})) middle.push_back(&r);
   // Without a peak nothing is behind it.

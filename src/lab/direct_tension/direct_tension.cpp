@@ -79,6 +79,7 @@ TestDescription description() {
               balance_columns()});
   d.hashed = hashed_fields({"axial_strain", "axial_strain_gauge", "lateral_strain_gauge", "axial_stress",
                             "grip_stress_top", "grip_stress_bottom"});
+  // Tension is negative in the history, and drawn upwards.
   d.curve.strain = "elongation", d.curve.stress = "tensile stress", d.curve.sign = -1.0;
   d.curve.strength = "sigma_t", d.curve.strength_label = "direct tensile strength";
   d.table = {{"E tan50", "GPa", "E_tangent", 1e-9, 2},

@@ -197,6 +197,7 @@ const TestRoom& semi_circular_bend_room() {
       [](const Recipe& r) {
         const BendSpecimen s = bend_specimen(r);
         std::string name = "semi_circular_bend";
+        // The saw takes more grains where bonds may span gaps: they belong to the name.
         for (const double v : {s.radius, s.notch, s.span, r.test.notch_width, r.matrix.bond_gap})
           name += print_number(v) + " ";
         return name;

@@ -31,6 +31,7 @@ void UniaxialTest::on_placed() {
 }
 
 bool UniaxialTest::prepare(std::int64_t n_blocks) {
+  // Damped, until the jump has become a state of rest.
   if (n_blocks * recipe_.test.history_interval < pre_strain_cycles) return false;
   // A bond at its strength would have broken on the way: the jump went too far.
   if (!specimen_->matrix.unbreakable && group_->at_strength(lane_)) return !begin_without();
