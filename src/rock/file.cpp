@@ -37,68 +37,72 @@ Field as_in_recipe(const char* path, const char* table, const char* key, const c
   return f;
 }
 
+Field choice(const char* key, const char* meaning) { return rock_key(FieldKind::choice, key, meaning); }
+
+template <class Enum>
+std::vector<std::string> words_of_all(std::initializer_list<Enum> all) {
+  std::vector<std::string> words;
+  for (const Enum one : all) words.emplace_back(to_string(one));
+  return words;
+}
+
+Field without_default(Field f) {
+  f.default_text.clear();
+  return f;
+}
+
+Field column_key() {
+  Field f = rock_key(FieldKind::choice, "\"header\"",
+                     "what a column of the table holds, by its header; \"-\" passes it over");
+  f.table = "columns", f.choices = column_names(), f.choices.emplace_back("-");
+  return f;
+}
+
 const Fields& rock_fields() {
-  static const Fields fields = [] {
-    using K = FieldKind;
-    Field reading =
-        rock_key(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
-    reading.choices = {"plane stress", "plane strain"};
-    reading.default_text = "\"plane stress\"";
-    Field E_is = rock_key(K::choice, "E_is",
-                          "slope that the table's E is; without UCS and confined E compared at small strain");
-    for (const ModulusReading r :
-         {ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
-          ModulusReading::secant_at_peak, ModulusReading::small_strain})
-      E_is.choices.emplace_back(to_string(r));
-    E_is.default_text = "\"tangent 50 %\"";
-    Field layers = rock_key(K::choice, "layers",
-                            "model of the layers: joints on planes, directions of the bonds, both, or rock "
-                            "bridges; \"choose\": the best predictor");
-    for (int i = 0; i < n_layer_models; ++i)
-      layers.choices.emplace_back(to_string(static_cast<LayerModel>(i)));
-    layers.default_text = "\"choose\"";
-    Field matrix = rock_key(K::choice, "matrix",
-                            "bonds of the grains; flat joints where UCS is many times the tension; with a "
-                            "recipe the recipe's");
-    matrix.choices = {"choose", "parallel_bond", "flat_joint"};
-    matrix.default_text = "\"choose\"";
-    Field confining =
-        as_in_recipe("test.confining_stress", "", "confining",
-                     "takes E and nu under this confining pressure alone; default: under all of the table");
-    confining.default_text.clear();
-    Field grain_size = as_in_recipe(
-        "packing.radius_min", "", "grain_size",
-        "mean diameter of the model's grains; default: as many as in the paper's specimen. K_Ic is fitted "
-        "only with it or a recipe");
-    grain_size.default_text.clear();
-    Field column = rock_key(K::choice, "\"header\"",
-                            "what a column of the table holds, by its header; \"-\" passes it over");
-    column.table = "columns", column.choices = column_names(), column.choices.emplace_back("-");
-    return Fields{
-        rock_key(K::text, "name", "name of the rock; default: the file's name"),
-        rock_key(K::text, "data", "table of tests (CSV, .xlsx, AGS 4), counted from the folder of this file"),
-        rock_key(K::text, "sheet",
-                 "of a workbook, default: the first; of an AGS 4 file its group, default: RUCS"),
-        rock_key(K::text, "recipe",
-                 "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
-                 "[specimen]"),
-        reading,
-        E_is,
-        layers,
-        matrix,
-        confining,
-        grain_size,
-        rock_key(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
-        as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
-        as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
-        as_in_recipe("bedding.spacing", "bedding", "spacing",
-                     "distance of the planes; default: in proportion to the paper's specimen"),
-        as_in_recipe(
-            "test.disc_diameter", "brazilian", "diameter",
-            "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
-        as_in_recipe("test.loading_angle", "brazilian", "loading_angle", "arc of each jaw; 0: flat platens"),
-        column};
-  }();
+  using K = FieldKind;
+  static const Fields fields = {
+      rock_key(K::text, "name", "name of the rock; default: the file's name"),
+      rock_key(K::text, "data", "table of tests (CSV, .xlsx, AGS 4), counted from the folder of this file"),
+      rock_key(K::text, "sheet",
+               "of a workbook, default: the first; of an AGS 4 file its group, default: RUCS"),
+      rock_key(K::text, "recipe",
+               "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
+               "[specimen]"),
+      choice("elastic_reading", "how moduli of cylinders are read in two dimensions")
+          .one_of({"plane stress", "plane strain"})
+          .by_default("\"plane stress\""),
+      choice("E_is", "slope that the table's E is; without UCS and confined E compared at small strain")
+          .one_of(
+              words_of_all({ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
+                            ModulusReading::secant_at_peak, ModulusReading::small_strain}))
+          .by_default("\"tangent 50 %\""),
+      choice("layers",
+             "model of the layers: joints on planes, directions of the bonds, both, or rock bridges; "
+             "\"choose\": the best predictor")
+          .one_of(words_of_all({LayerModel::choose, LayerModel::planes, LayerModel::directions,
+                                LayerModel::planes_and_directions, LayerModel::planes_with_bridges}))
+          .by_default("\"choose\""),
+      choice(
+          "matrix",
+          "bonds of the grains; flat joints where UCS is many times the tension; with a recipe the recipe's")
+          .one_of({"choose", "parallel_bond", "flat_joint"})
+          .by_default("\"choose\""),
+      without_default(as_in_recipe(
+          "test.confining_stress", "", "confining",
+          "takes E and nu under this confining pressure alone; default: under all of the table")),
+      without_default(as_in_recipe(
+          "packing.radius_min", "", "grain_size",
+          "mean diameter of the model's grains; default: as many as in the paper's specimen. K_Ic is fitted "
+          "only with it or a recipe")),
+      rock_key(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
+      as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
+      as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
+      as_in_recipe("bedding.spacing", "bedding", "spacing",
+                   "distance of the planes; default: in proportion to the paper's specimen"),
+      as_in_recipe("test.disc_diameter", "brazilian", "diameter",
+                   "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
+      as_in_recipe("test.loading_angle", "brazilian", "loading_angle", "arc of each jaw; 0: flat platens"),
+      column_key()};
   return fields;
 }
 
@@ -410,7 +414,6 @@ class RockReader {
                            "write data = \"tests.csv\"; `phyllite rock new` writes both files"});
     if (!is_given("data") || !file_.is_known("data")) return;
     table_ = parts_.table ? file_.text("data", "") : file_.beside(file_.text("data", ""));
-    const std::string& where = table_;
     const std::size_t n_before = problems_.size();
     TableKeys keys{file_.number("confining", nan), file_.text("sheet", ""), columns(), {}};
     if (is_given("bedded")) keys.bedded = file_.number("bedded", 1.0) == 1.0;
@@ -420,39 +423,47 @@ class RockReader {
     });
     if (!readings) return;
     rock_.readings = std::move(readings->values);
-    const bool has_angles = readings->bedded;
     rock_.counts_from_load = readings->counts_from_load;
     settle_E_is(*readings);
-    // A column of angles means bedding, unless the file says otherwise.
+    settle_bedding(*readings);
+    // Statements about the whole table need all of it.
+    if (problems_.size() == n_before) check_content(table_), check_toughness();
+  }
+
+  /// A column of angles means bedding, unless the file says otherwise.
+  void settle_bedding(const Readings& readings) {
+    const bool has_angles = readings.bedded;
     rock_.bedded = file_.number("bedded", has_angles ? 1.0 : 0.0) == 1.0;
     if (rock_.bedded && !has_angles)
       problems_.push_back(
-          {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
-    else if (!rock_.readings.empty() && !has_angles && !is_given("bedded") && !readings->asked_for_angles)
+          {table_, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
+    else if (!rock_.readings.empty() && !has_angles && !is_given("bedded") && !readings.asked_for_angles)
       problems_.push_back(
-          {where, "", "", "",
+          {table_, "", "", "",
            "no column of angles: all rows would be one rock without layers. If it has layers, "
            "add theta [deg]; if not, write bedded = false in the rock file"});
-    if (!rock_.bedded) {
-      // Angles of a rock without bedding have no meaning: all rows become replicates.
-      remove_layers(rock_.model), rock_.model.test.angles.clear();
-      rock_.layers = LayerModel::planes;
-      for (const char* key : {"bedding.spacing", "layers"})
-        if (is_given(key))
-          problems_.push_back({file_.place(key), key, "", "a rock with bedding",
-                               "the table has no angles, or bedded = false: leave it out"});
-      for (RockReading& r : rock_.readings) r.theta = 0.0;
-      rock_.notes.emplace_back("a rock without bedding");
-      if (has_angles) rock_.notes.emplace_back("the angles of the table are not used, since bedded = false");
-    } else if (!is_given("bedding.spacing") && !(is_given("recipe") && has_layers_) &&
-               rock_.layers != LayerModel::directions) {
+    if (!rock_.bedded)
+      take_layers_away(has_angles);
+    else if (!is_given("bedding.spacing") && !(is_given("recipe") && has_layers_) &&
+             rock_.layers != LayerModel::directions)
       rock_.notes.push_back(
           fmt::format("the distance of the layers is not given: {:g} mm is taken ([bedding] spacing says it)",
                       rock_.model.bedding[0].spacing * 1e3));
-    }
-    // Statements about the whole table need all of it.
-    if (problems_.size() == n_before) check_content(where), check_toughness();
   }
+
+  /// Angles of a rock without bedding have no meaning: all rows become replicates.
+  void take_layers_away(bool has_angles) {
+    remove_layers(rock_.model), rock_.model.test.angles.clear();
+    rock_.layers = LayerModel::planes;
+    for (const char* key : {"bedding.spacing", "layers"})
+      if (is_given(key))
+        problems_.push_back({file_.place(key), key, "", "a rock with bedding",
+                             "the table has no angles, or bedded = false: leave it out"});
+    for (RockReading& r : rock_.readings) r.theta = 0.0;
+    rock_.notes.emplace_back("a rock without bedding");
+    if (has_angles) rock_.notes.emplace_back("the angles of the table are not used, since bedded = false");
+  }
+
   void check_toughness() {
     bool any = false, compressed = false;
     for (const RockReading& r : rock_.readings) {

@@ -97,55 +97,65 @@ void add_properties(std::vector<Known>& known) {
   }
 }
 
+constexpr Property none = Property::E;  // of columns without values
+
+/// Columns that say how the layers lie.
+std::vector<Known> angle_columns() {
+  using C = Column;
+  return {{"theta",
+           C::theta,
+           none,
+           "inclination of the layers, load upright: 0 = across the load, 90 = along it",
+           {"θ", "dip", "dip angle", "inclination", "bedding inclination", "bedding dip", "bedding dip angle",
+            "foliation dip", "foliation dip angle", "foliation inclination", "angle theta"}},
+          {"beta", C::beta, none, "angle between load and layers: 90 - theta", {"β", "angle beta"}}};
+}
+
+/// Columns that say how a row was tested.
+std::vector<Known> columns_of_tests() {
+  using C = Column;
+  return {
+      {"n",
+       C::n,
+       none,
+       "specimens behind the row",
+       {"number of specimens", "number of tests", "number of samples", "no. of specimens", "no. of samples",
+        "no. of tests", "n specimens", "n samples", "n tests"}},
+      {"diameter",
+       C::diameter,
+       none,
+       "diameter of the disc of a BTS, of the half disc of a K_Ic",
+       {"disc diameter", "disk diameter"}},
+      {"confining",
+       C::confining,
+       none,
+       "confining stress; empty: none",
+       {"sigma_3", "s3", "p_c", "confining pressure", "confining stress", "confinement", "cell pressure",
+        "minor principal stress"}},
+      {"c", C::cohesion, none, "cohesion of an envelope through n tests", {"cohesion"}},
+      {"phi",
+       C::friction,
+       none,
+       "its angle of friction",
+       {"φ", "friction angle", "angle of friction", "internal friction angle", "angle of internal friction"}},
+      {"confining_min", C::least_confining, none, "least confining stress of these tests", {"sigma_3 min"}},
+      {"confining_max", C::most_confining, none, "largest confining stress of these tests", {"sigma_3 max"}},
+      {"sigma_2",
+       C::intermediate,
+       none,
+       "intermediate stress; where it is not `confining` the row is refused",
+       {"s2", "intermediate principal stress"}}};
+}
+
 }  // namespace
 
 /// The one list: readers, messages and docs/tables.md follow it. Left out on purpose: "d" and "no", which
 /// mean other things too.
 const std::vector<Known>& known_columns() {
-  using C = Column;
-  constexpr Property no = Property::E;  // of columns without values
   static const std::vector<Known> known = [] {
-    std::vector<Known> all = {
-        {"theta",
-         C::theta,
-         no,
-         "inclination of the layers, load upright: 0 = across the load, 90 = along it",
-         {"θ", "dip", "dip angle", "inclination", "bedding inclination", "bedding dip", "bedding dip angle",
-          "foliation dip", "foliation dip angle", "foliation inclination", "angle theta"}},
-        {"beta", C::beta, no, "angle between load and layers: 90 - theta", {"β", "angle beta"}}};
+    std::vector<Known> all = angle_columns();
     add_properties(all);
-    const std::vector<Known> others = {
-        {"n",
-         C::n,
-         no,
-         "specimens behind the row",
-         {"number of specimens", "number of tests", "number of samples", "no. of specimens", "no. of samples",
-          "no. of tests", "n specimens", "n samples", "n tests"}},
-        {"diameter",
-         C::diameter,
-         no,
-         "diameter of the disc of a BTS, of the half disc of a K_Ic",
-         {"disc diameter", "disk diameter"}},
-        {"confining",
-         C::confining,
-         no,
-         "confining stress; empty: none",
-         {"sigma_3", "s3", "p_c", "confining pressure", "confining stress", "confinement", "cell pressure",
-          "minor principal stress"}},
-        {"c", C::cohesion, no, "cohesion of an envelope through n tests", {"cohesion"}},
-        {"phi",
-         C::friction,
-         no,
-         "its angle of friction",
-         {"φ", "friction angle", "angle of friction", "internal friction angle",
-          "angle of internal friction"}},
-        {"confining_min", C::least_confining, no, "least confining stress of these tests", {"sigma_3 min"}},
-        {"confining_max", C::most_confining, no, "largest confining stress of these tests", {"sigma_3 max"}},
-        {"sigma_2",
-         C::intermediate,
-         no,
-         "intermediate stress; where it is not `confining` the row is refused",
-         {"s2", "intermediate principal stress"}}};
+    const std::vector<Known> others = columns_of_tests();
     all.insert(all.end(), others.begin(), others.end());
     return all;
   }();
