@@ -20,16 +20,12 @@ std::vector<std::string> effort_names() {
   return names;
 }
 
-Field text_key(const char* key) {
-  Field f;
-  f.kind = FieldKind::text, f.key = key;
-  return f;
-}
-
 /// The options, and what a folder remembers beside them.
 const io::Schema& request_schema() {
   static const Fields fields = [] {
-    Fields all = {text_key("name"), text_key("rock"), text_key("table"), text_key("model")};
+    Fields all;
+    for (const char* key : {"name", "rock", "table", "model"})
+      all.push_back(make_field(FieldKind::text, "", key, ""));
     for (const CalibrationOption& o : calibration_options()) all.push_back(o.field());
     return all;
   }();
@@ -109,13 +105,11 @@ std::string CalibrationOption::word() const {
 }
 
 Field CalibrationOption::field() const {
-  Field f = text_key(key);
-  f.meaning = meaning, f.choices = words;
-  if (!words.empty()) f.kind = FieldKind::choice;
-  if (std::holds_alternative<bool R::*>(place)) f.kind = FieldKind::boolean;
+  const auto as = [&](FieldKind kind) { return make_field(kind, "", key, meaning); };
+  if (std::holds_alternative<bool R::*>(place)) return as(FieldKind::boolean);
   if (std::holds_alternative<std::int64_t R::*>(place))
-    f.kind = FieldKind::integer, f.min = 1.0, f.max = static_cast<double>(most);
-  return f;
+    return as(FieldKind::integer).within(1.0, static_cast<double>(most));
+  return words.empty() ? as(FieldKind::text) : as(FieldKind::choice).one_of(words);
 }
 
 OptionValue CalibrationOption::value(const CalibrationRequest& request) const {
