@@ -19,7 +19,7 @@ MAX_PARAMETERS = 5
 MIN_COMMENTS = 0.12
 FINDS = {"calibrate", "maps", "survey", "verdict", "report"}  # rooms whose results are data
 # Tests of words, and of texts in the language of another program.
-PINS_WORDS = re.compile(r"((calibration_)?tables|words\w*|methods|pfc_\w+|yade\w*|figures|angle_figures|gnuplot\w*|page)\.test\.cpp$")
+PINS_WORDS = re.compile(r"((calibration_)?tables|words\w*|methods|pfc_\w+|yade\w*|figures|terminal_plot|gnuplot\w*|page)\.test\.cpp$")
 ASSERTS = re.compile(r"\b(?:HasSubstr|StartsWith|EndsWith|ContainsRegex|MatchesRegex|contains|find|rfind|starts_with|ends_with"
                      r"|StrEq|Eq|EXPECT_EQ|ASSERT_EQ|EXPECT_NE|npos)\b")
 SENTENCE = re.compile(r'"(?:\\.|[^"\\\n])*?\b[a-z]{2,},? [a-z]{2,}\b(?:\\.|[^"\\\n])*"')

@@ -14,7 +14,8 @@
 #include "io/load.hpp"
 #include "io/program.hpp"
 #include "records/test_description.hpp"
-#include "report/comparison.hpp"
+#include "report/gnuplot_figure.hpp"
+#include "report/run_figures.hpp"
 #include "rock/curve.hpp"
 
 namespace phy::cli {
@@ -58,6 +59,8 @@ void print_table(const std::vector<analysis::ComparedNumber>& numbers, int width
 }
 
 /// By the ending of --figure, before anything is read. Throws InputError.
+constexpr double column_width = 90.0;  // [mm] of a journal
+
 auto format_of(const CompareArguments& args) {
   const std::string ending = std::filesystem::path(args.figure).extension().string();
   const auto format = report::figure_formats().find(ending.empty() ? ending : ending.substr(1));
@@ -69,9 +72,9 @@ auto format_of(const CompareArguments& args) {
 
 void draw(const CompareArguments& args, const History& ours, const History& theirs) {
   make_file_or_stop(args.figure, [&](const std::string& temporary) {
-    const std::string script = report::comparison_script(
-        ours, theirs, "Phyllite", std::filesystem::path(args.theirs).filename().string(), format_of(args),
-        temporary);
+    const report::Figure figure =
+        report::two_curves_figure(ours, theirs, std::filesystem::path(args.theirs).filename().string());
+    const std::string script = report::gnuplot_script(figure, format_of(args), column_width, temporary);
     io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   print_out("{}\n", args.figure);

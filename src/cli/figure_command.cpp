@@ -92,6 +92,8 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
   return data;
 }
 
+constexpr const char* on_terminal = "terminal";
+
 /// The format that is asked for, else that of the name of the file, else SVG.
 std::string format_of(const FigureArguments& args) {
   std::string ending = std::filesystem::path(args.out).extension().string();
@@ -105,7 +107,7 @@ std::string format_of(const FigureArguments& args) {
 }
 
 /// The exit code.
-int draw(FigureArguments args) {
+int draw(FigureArguments args, int columns) {
   const std::string format = format_of(args);
   io::check_ending(args.out, {".svg", ".pdf", ".png"});
   const Held held(args.result);
@@ -118,6 +120,11 @@ int draw(FigureArguments args) {
     throw InputError(Problem{"command line", "--out", args.out, "a name in UTF-8 without control characters",
                              "gnuplot has no way to write others"});
   const report::FigureData data = data_for(kind, held, args);
+  if (format == on_terminal) {
+    constexpr int usual_columns = 80;
+    print_out("{}", report::figure_text(kind, data, columns > 0 ? columns : usual_columns));
+    return tell_provenance(data.run, 0);
+  }
   // Where the user stands and not in the folder of results, which is left as it was.
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
   make_file_or_stop(args.out, [&](const std::string& temporary) {
@@ -140,21 +147,23 @@ std::string kinds_text() {
 
 void add_figure_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FigureArguments>();
-  CLI::App* verb = app.add_subcommand("figure", "write a figure for print (SVG, PDF, PNG) through gnuplot");
+  CLI::App* verb = app.add_subcommand(
+      "figure", "write a figure for print (SVG, PDF, PNG) through gnuplot, or on the terminal");
   verb->add_option("result", args->result, "folder of a run, a study or a calibration")
       ->required()
       ->type_name("FOLDER");
   verb->add_option("--kind", args->kind, kinds_text())->type_name("KIND")->check(suggested([] {
     return names_of_kinds({}, true);
   }));
-  verb->add_option("--format", args->format, "svg, pdf or png; default: the ending of --out, else svg")
-      ->check(CLI::IsMember({"svg", "pdf", "png"}));
+  verb->add_option("--format", args->format,
+                   "svg, pdf, png, or terminal: printed here; default: the ending of --out, else svg")
+      ->check(CLI::IsMember({"svg", "pdf", "png", on_terminal}));
   verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind")
       ->capture_default_str();
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model")
       ->type_name("FILE");
   verb->add_option("--out", args->out, "file; default: KIND.FORMAT here")->type_name("FILE");
-  verb->callback([args, &session] { session.exit_code = draw(*args); });
+  verb->callback([args, &session] { session.exit_code = draw(*args, session.terminal_width); });
 }
 
 }  // namespace phy::cli

@@ -7,6 +7,8 @@
 #include <cstdlib>
 
 #include "cli/terminal.hpp"
+#include "report/run_figures.hpp"
+#include "report/terminal_plot.hpp"
 
 namespace phy::cli {
 namespace {
@@ -41,16 +43,30 @@ int picture_columns() {
 
 }  // namespace
 
+LivePlot::LivePlot(const TestCurve& test, const std::vector<std::shared_ptr<const Specimen>>& specimens)
+    : strain_factor_(test.strain_factor), panel_(report::curve_panel(test)) {
+  for (const auto& specimen : specimens) {
+    TestResult r;
+    r.intact = !layered(*specimen);
+    r.theta = r.intact ? 0.0 : inclination(*specimen);
+    panel_.series.push_back(report::series_of(r, report::Mark::line, static_cast<int>(panel_.series.size())));
+    panel_.series.back().name = report::heading(r);
+  }
+}
+
 void LivePlot::add(std::size_t specimen, double strain, double stress) {
-  report::TerminalCurve& c = curves_.at(specimen);
-  if (!c.x.empty() && 100.0 * strain < c.x.back()) c.x.clear(), c.y.clear();
-  c.x.push_back(100.0 * strain), c.y.push_back(1e-6 * stress);
+  std::vector<report::Point>& points = panel_.series.at(specimen).points;
+  const report::Point next{strain_factor_ * strain, 1e-6 * stress};
+  if (!points.empty() && next.x < points.back().x) points.clear();
+  points.push_back(next);
 }
 
 std::vector<std::string> LivePlot::lines() const {
   const int columns = picture_columns();
   if (columns == 0) return {};
-  return report::terminal_plot(curves_, "%", "MPa", columns, height, environment("NO_COLOR").empty());
+  report::Panel shown = panel_;
+  report::fit_axes(shown);
+  return report::terminal_plot(shown, columns, height, environment("NO_COLOR").empty());
 }
 
 }  // namespace phy::cli

@@ -1,16 +1,20 @@
 // Stress-strain curves of the running tests on a terminal (report/terminal_plot.hpp), above the line of
 // progress.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "report/terminal_plot.hpp"
+#include "records/specimen.hpp"
+#include "records/test_description.hpp"
+#include "report/figure.hpp"
 
 namespace phy::cli {
 
 class LivePlot {
  public:
-  explicit LivePlot(std::vector<report::TerminalCurve> curves) : curves_(std::move(curves)) {}
+  /// A curve for each specimen of a test.
+  LivePlot(const TestCurve& test, const std::vector<std::shared_ptr<const Specimen>>& specimens);
   /// Strain and stress [Pa] of one specimen, growing while it is loaded. A test that starts over gives a
   /// smaller strain, and its curve begins anew.
   void add(std::size_t specimen, double strain, double stress);
@@ -19,7 +23,8 @@ class LivePlot {
   std::vector<std::string> lines() const;
 
  private:
-  std::vector<report::TerminalCurve> curves_;
+  double strain_factor_;  // to the unit of the axis
+  report::Panel panel_;
 };
 
 }  // namespace phy::cli

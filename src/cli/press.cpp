@@ -9,31 +9,15 @@
 #include "cli/progress.hpp"
 #include "io/store.hpp"
 #include "jobs/study_folder.hpp"
-#include "report/palette.hpp"
 #include "study/worker.hpp"
 
 namespace phy::cli {
-namespace {
-
-/// Names and colours of the curves on the terminal.
-std::vector<report::TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Specimen>>& specimens) {
-  std::vector<report::TerminalCurve> curves;
-  for (const auto& s : specimens) {
-    TestResult r;
-    r.intact = !layered(*s);
-    r.theta = r.intact ? 0.0 : inclination(*s);
-    curves.push_back({r.intact ? "intact" : fmt::format("{:g}", r.theta), report::angle_color(r), {}, {}});
-  }
-  return curves;
-}
-
-}  // namespace
 
 std::vector<TestResult> press(const Recipe& recipe,
                               const std::vector<std::shared_ptr<const Specimen>>& specimens,
                               const std::string& folder, const study::MachineOptions& machine) {
   ProgressLine line;
-  LivePlot plot(curves_of(specimens));
+  LivePlot plot(recipe.test.kind->curve, specimens);
   // The line of progress stays the last one of the terminal.
   line.draw_above([&] { return plot.lines(); });
   study::Hooks hooks;

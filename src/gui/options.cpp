@@ -36,7 +36,7 @@ jobs::CalibrationRequest request_from(const Json& options) {
   io::TomlValue keys;
   keys.kind = io::TomlValue::Kind::table;
   for (const auto& [key, value] : options.items())
-    keys.keys.push_back({key, 0}), keys.items.push_back(value_of(value));
+    keys.keys.push_back({key, 0}), keys.items.push_back(value_of(value));  // line 0: of no file
   return jobs::request_of(std::move(keys), "");
 }
 

@@ -10,7 +10,8 @@
 #include "gui/project.hpp"
 #include "io/table.hpp"
 #include "jobs/rock_check.hpp"
-#include "report/curves.hpp"
+#include "report/calibration_figures.hpp"
+#include "report/figure_json.hpp"
 #include "report/finding_json.hpp"
 #include "rock/file.hpp"
 
@@ -76,10 +77,6 @@ Json target_json(const Target& t) {
   return j;
 }
 
-Json curve_json(const report::AngleCurve& curve) {
-  return {{"note", curve.note}, {"theta", curve.theta}, {"value", curve.value}};
-}
-
 Json parameter_json(const ParameterEstimate& e) {
   const Json interval = !std::isfinite(e.low) ? Json(nullptr)
                         : e.determined        ? Json(fmt::format("x {:.2f} ... {:.2f}", e.low, e.high))
@@ -97,8 +94,7 @@ void add_check(const Rock& rock, Json& answer) {
   answer["doubts"] = report::findings_json(found.doubts);
   answer["notes"] = rock.notes;
   for (const Target& t : found.evidence.targets) answer["targets"].push_back(target_json(t));
-  const report::TheoryCurves theory = report::theory_curves(found.evidence.targets);
-  answer["theory"] = {{"E", curve_json(theory.E)}, {"UCS", curve_json(theory.ucs)}};
+  answer["figure"] = report::figure_json(report::laboratory_figure(found.evidence.targets));
   answer["statements"] = report::findings_json(found.statements);
   for (const ParameterEstimate& e : found.parameters) answer["parameters"].push_back(parameter_json(e));
   answer["models"] = found.models;
@@ -110,7 +106,7 @@ void add_check(const Rock& rock, Json& answer) {
 }  // namespace
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
-  Json answer = {{"bedded", nullptr}, {"theory", nullptr}, {"forecast", nullptr}};
+  Json answer = {{"bedded", nullptr}, {"figure", nullptr}, {"forecast", nullptr}};
   for (const char* list :
        {"problems", "doubts", "notes", "targets", "statements", "parameters", "models", "limits", "in_maps"})
     answer[list] = Json::array();

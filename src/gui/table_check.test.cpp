@@ -55,8 +55,9 @@ TEST(TableCheck, AGoodTableIsCheckedAsByRockCheck) {
   EXPECT_EQ(answer["targets"][0]["property"], "E");
   EXPECT_DOUBLE_EQ(answer["targets"][0]["mean"], 23.2e9);
   EXPECT_LT(answer["targets"][0]["low"], answer["targets"][0]["mean"]);
-  EXPECT_GT(answer["theory"]["E"]["theta"].size(), 10U);
-  EXPECT_GT(answer["theory"]["UCS"]["value"].size(), 10U);
+  const Json& panels = answer["figure"]["panels"];
+  EXPECT_EQ(panels[0]["y"]["quantity"], "E");
+  EXPECT_GT(panels[0]["series"][0]["x"].size(), 10U) << "theory";
   EXPECT_GT(answer["parameters"].size(), 4U);
   EXPECT_THAT(answer["forecast"].get<std::string>(), HasSubstr("foretold"));
 }

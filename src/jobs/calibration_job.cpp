@@ -10,6 +10,7 @@ CalibrationJob::CalibrationJob(const Rock& rock, CalibrationRequest request)
       options_(options_of(request_)),
       specimens_(request_.out) {
   calibrate::check_possible(evidence_, options_);
+  // Last, as it writes: what is refused above leaves no folder behind.
   if (!request_.out.empty()) begun_.emplace(begin_calibration(evidence_, request_));
 }
 
@@ -18,6 +19,7 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
   machine.threads = hooks.threads, machine.stop = hooks.stop, machine.on_work = hooks.work;
   machine.with_untrusted = request_.with_untrusted;
   if (begun_) {
+    // Without a folder nobody can look, and there is nowhere to keep a picture.
     machine.store = begun_->store, machine.gallery = &specimens_;
     watch_.emplace(request_.out);
     machine.on_reading = [&](const Recipe& r, double strain, double stress) {
@@ -36,6 +38,7 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
   Calibration result = calibrate::calibrate(evidence_, options_, *calibrate::make_simulator(machine));
   result.asked = asked(request_);
   if (!begun_) return result;
+  // An interrupted one leaves its tests alone: files of half a result would be taken for a whole one.
   if (result.verdict.status == VerdictStatus::interrupted)
     watch_->end("stopped");
   else
@@ -44,6 +47,7 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
 }
 
 void CalibrationJob::finish() {
+  // Before a complaint about pictures: the calibration itself is whole.
   if (watch_) watch_->end("finished");
   specimens_.check();
 }

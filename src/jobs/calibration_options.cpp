@@ -20,16 +20,12 @@ std::vector<std::string> effort_names() {
   return names;
 }
 
-Field text_key(const char* key) {
-  Field f;
-  f.kind = FieldKind::text, f.key = key;
-  return f;
-}
-
 /// The options, and what a folder remembers beside them.
 const io::Schema& request_schema() {
   static const Fields fields = [] {
-    Fields all = {text_key("name"), text_key("rock"), text_key("table"), text_key("model")};
+    Fields all;
+    for (const char* key : {"name", "rock", "table", "model"})
+      all.push_back(make_field(FieldKind::text, "", key, ""));
     for (const CalibrationOption& o : calibration_options()) all.push_back(o.field());
     return all;
   }();
@@ -67,6 +63,7 @@ std::string toml_value(const OptionValue& value) {
 
 }  // namespace
 
+// Help and page show them in this order: what is asked for most comes first, what says how to work last.
 const std::vector<CalibrationOption>& calibration_options() {
   static const std::vector<CalibrationOption> options = {
       {"out", "", "folder for the results", &R::out, {}, 0, false},
@@ -81,7 +78,7 @@ const std::vector<CalibrationOption>& calibration_options() {
        1000000},
       {"matrix", "Matrix of the model",
        "what holds the grains together, whatever the rock file says; choose: what predicts best", &R::matrix,
-       find_field(rock::rock_schema().fields, "matrix")->choices},
+       find_field(rock::rock_schema().fields, "matrix")->choices},  // the option overrides that key
       {"elastic", "Moduli alone", "elastic stage only: moduli, and no strengths", &R::elastic},
       {"method",
        "Method",
@@ -108,13 +105,11 @@ std::string CalibrationOption::word() const {
 }
 
 Field CalibrationOption::field() const {
-  Field f = text_key(key);
-  f.meaning = meaning, f.choices = words;
-  if (!words.empty()) f.kind = FieldKind::choice;
-  if (std::holds_alternative<bool R::*>(place)) f.kind = FieldKind::boolean;
+  const auto as = [&](FieldKind kind) { return make_field(kind, "", key, meaning); };
+  if (std::holds_alternative<bool R::*>(place)) return as(FieldKind::boolean);
   if (std::holds_alternative<std::int64_t R::*>(place))
-    f.kind = FieldKind::integer, f.min = 1.0, f.max = static_cast<double>(most);
-  return f;
+    return as(FieldKind::integer).within(1.0, static_cast<double>(most));
+  return words.empty() ? as(FieldKind::text) : as(FieldKind::choice).one_of(words);
 }
 
 OptionValue CalibrationOption::value(const CalibrationRequest& request) const {
@@ -139,6 +134,7 @@ std::vector<std::string> command_line_of(const CalibrationRequest& request) {
   std::vector<std::string> words = {"calibrate", request.rock};
   for (const CalibrationOption& o : calibration_options()) {
     const OptionValue value = o.value(request);
+    // A command that says its defaults could not be told from one that insists on them.
     if (value == o.value(CalibrationRequest())) continue;
     words.push_back("--" + o.word());
     if (!std::holds_alternative<bool>(value)) words.push_back(option_text(value));
@@ -151,6 +147,7 @@ std::string kept_text(const KeptRequest& kept) {
       "# What the calibration in this folder was asked for: `phyllite calibrate --resume` goes on with the "
       "same alone.\nname = {}\nrock = {}\n",
       toml_string(kept.name), toml_string(kept.request.rock));
+  // Defaults too: those of a later version may be others.
   for (const SetOption& o : asked(kept.request)) text += fmt::format("{} = {}\n", o.key, toml_value(o.value));
   return text + fmt::format(
                     "# Hashes: of the means of the table; of the recipe, and of how the table is read.\n"
@@ -168,7 +165,7 @@ KeptRequest read_kept(const std::string& text, const std::string& file) {
 }
 
 std::vector<Problem> differences(const CalibrationRequest& request, const CalibrationRequest& begun) {
-  std::vector<Problem> problems;
+  std::vector<Problem> problems;  // all at once, so that one more try is enough
   for (const CalibrationOption& o : calibration_options())
     if (o.changes_result && o.value(request) != o.value(begun))
       problems.push_back(

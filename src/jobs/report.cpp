@@ -28,10 +28,9 @@ std::string text_of(const std::string& folder, const char* file) {
 
 report::PageExtras of_calibration(const std::string& folder) {
   report::PageExtras extras;
-  const Calibration found = read_calibration(folder);
-  extras.calibration = text_of(folder, calibration_file);
-  extras.name = found.rock;
-  for (const Comparison& row : found.fitted) extras.laboratory.push_back(row.target);
+  extras.calibration = read_calibration(folder);
+  extras.calibration_json = text_of(folder, calibration_file);
+  extras.name = extras.calibration->rock;
   extras.recipe = text_of(folder, "calibrated.toml");
   return extras;
 }

@@ -65,7 +65,7 @@ struct MeasuredProperty {
   const char* meaning;                             ///< for the list of columns
   std::vector<const char*> headers;                ///< what laboratories call that column
   std::vector<const char*> deviator_headers = {};  ///< the same of the value less the confining stress
-  const char* axis;                                ///< in pictures, as gnuplot sets it
+  const char* axis;                                ///< in pictures (report/figure.hpp)
   /// The number.
   Dimension dimension = Dimension::pressure;
   ShownUnit shown = {1e-6, "MPa", 1};

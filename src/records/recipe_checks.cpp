@@ -56,6 +56,7 @@ class CrossChecks {
 
   /// `paths`: the key that is reported, with its value, then those that it is held against.
   void report_problem(Paths paths, const std::string& expected, const std::string& remedy) {
+    // As it would stand in the file, so that the user finds it there; quotes are for TOML.
     const Field& f = *find_field(recipe_fields(), paths.front());
     std::string value = print_field(f, r_, set_);
     std::erase(value, '"');
@@ -63,6 +64,7 @@ class CrossChecks {
   }
   void report_value(Paths paths, const std::string& value, const std::string& expected,
                     const std::string& remedy) {
+    // The user counts sets in the file: "bedding[1].k_n".
     for (std::string& path : paths)
       if (path.starts_with("bedding.")) path.insert(7, "[" + std::to_string(set_) + "]");
     if (std::all_of(paths.begin(), paths.end(), is_known_))
@@ -269,6 +271,7 @@ class CrossChecks {
     if (t.intact && r_.matrix.directional())
       report_problem(with({"test.intact"}, ratios), "false with a matrix that has directions",
                      "no specimen of it is intact: leave the key out, or set the ratios to 1");
+    // The same angle twice would be the same specimen twice, to the last bit.
     std::vector<double> sorted = t.angles;
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

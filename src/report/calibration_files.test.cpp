@@ -32,8 +32,8 @@ TEST(YadeScript, SaysThatBridgesAreLeftOut) {
 TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
   Calibration c;
   c.rock = "grey\nshale", c.verdict.sentence = "calibrated: E within 1 %; next: direct tension";
-  ParameterEstimate known{"matrix.E_c", "E_c", "Pa", 3e10, 2.9e10, 3.1e10, 1e9, 1e11, true, "", ""},
-      open{"matrix.tau_c", "tau_c", "Pa", 6e7, 2e7, 1.5e9, 1e6, 1e10, false, "", ""};
+  ParameterEstimate known{"matrix.E_c", "E_c", "Pa", 3e10, 2.9e10, 3.1e10, 1e9, 1e11, true, {}, {}},
+      open{"matrix.tau_c", "tau_c", "Pa", 6e7, 2e7, 1.5e9, 1e6, 1e10, false, {}, {}};
   c.parameters = {known, open};
   const std::string text = recipe_comments(c);
   EXPECT_THAT(text, HasSubstr("calibrated: E within 1 %"));
@@ -63,7 +63,7 @@ TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
 TEST(CalibrationJson, AnEstimateWithoutAnIntervalIsNeitherDeterminedNorOpen) {
   Calibration c;
   c.method = CalibrationMethod::sequence;
-  ParameterEstimate e{"matrix.E_c", "E_c", "Pa", 3e10, nan, nan, 1e9, 1e11, false, "E of Eq. 1", ""};
+  ParameterEstimate e{"matrix.E_c", "E_c", "Pa", 3e10, nan, nan, 1e9, 1e11, false, {}, {}};
   c.parameters = {e};
   const auto j = nlohmann::json::parse(calibration_json(c, "1.2"));
   EXPECT_EQ(j["method"], "sequence");

@@ -14,11 +14,11 @@ Canvas::Canvas(int width, int height, std::uint32_t background) : width_(width),
 
 /// Blends the colour into every pixel of a box by the part of it that `cover` says is covered.
 template <class Cover>
-void Canvas::paint(double x0, double y0, double x1, double y1, std::uint32_t color, Cover cover) {
-  const int left = std::max(0, static_cast<int>(std::floor(x0))),
-            top = std::max(0, static_cast<int>(std::floor(y0)));
-  const int right = std::min(width_ - 1, static_cast<int>(std::ceil(x1)));
-  const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(y1)));
+void Canvas::paint(Vec2 low, Vec2 high, std::uint32_t color, Cover cover) {
+  const int left = std::max(0, static_cast<int>(std::floor(low.x))),
+            top = std::max(0, static_cast<int>(std::floor(low.y)));
+  const int right = std::min(width_ - 1, static_cast<int>(std::ceil(high.x)));
+  const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(high.y)));
   for (int y = top; y <= bottom; ++y) {
     char* row = &pixels_[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width_)];
     for (int x = left; x <= right; ++x) {
@@ -34,18 +34,20 @@ void Canvas::paint(double x0, double y0, double x1, double y1, std::uint32_t col
 }
 
 void Canvas::disc(double x, double y, double r, std::uint32_t color) {
-  paint(x - r - 1.0, y - r - 1.0, x + r, y + r, color,
+  paint({x - r - 1.0, y - r - 1.0}, {x + r, y + r}, color,
         [=](double px, double py) { return r + 0.5 - std::hypot(px - x, py - y); });
 }
 
-void Canvas::line(double x0, double y0, double x1, double y1, double width, std::uint32_t color) {
-  const double dx = x1 - x0, dy = y1 - y0, length2 = std::max(1e-12, dx * dx + dy * dy), half = 0.5 * width;
+void Canvas::line(Vec2 from, Vec2 to, double width, std::uint32_t color) {
+  const Vec2 along = to - from;
+  const double length2 = std::max(1e-12, dot(along, along)), half = 0.5 * width;
   const auto cover = [=](double px, double py) {
-    const double t = std::clamp(((px - x0) * dx + (py - y0) * dy) / length2, 0.0, 1.0);
-    return half + 0.5 - std::hypot(px - x0 - t * dx, py - y0 - t * dy);
+    const Vec2 p{px - from.x, py - from.y};
+    const double t = std::clamp(dot(p, along) / length2, 0.0, 1.0);
+    return half + 0.5 - norm(p - t * along);
   };
-  paint(std::min(x0, x1) - half - 1.0, std::min(y0, y1) - half - 1.0, std::max(x0, x1) + half,
-        std::max(y0, y1) + half, color, cover);
+  paint({std::min(from.x, to.x) - half - 1.0, std::min(from.y, to.y) - half - 1.0},
+        {std::max(from.x, to.x) + half, std::max(from.y, to.y) + half}, color, cover);
 }
 
 }  // namespace phy::report

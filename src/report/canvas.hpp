@@ -4,13 +4,15 @@
 #include <cstdint>
 #include <string>
 
+#include "base/vec.hpp"
+
 namespace phy::report {
 
 class Canvas {
  public:
   Canvas(int width, int height, std::uint32_t background);
   void disc(double x, double y, double r, std::uint32_t color);
-  void line(double x0, double y0, double x1, double y1, double width, std::uint32_t color);
+  void line(Vec2 from, Vec2 to, double width, std::uint32_t color);
   int width() const { return width_; }
   int height() const { return height_; }
   /// Rows of RGB, three bytes per pixel.
@@ -18,7 +20,7 @@ class Canvas {
 
  private:
   template <class Cover>
-  void paint(double x0, double y0, double x1, double y1, std::uint32_t color, Cover cover);
+  void paint(Vec2 low, Vec2 high, std::uint32_t color, Cover cover);
   int width_, height_;
   std::string pixels_;
 };

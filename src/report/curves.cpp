@@ -27,73 +27,67 @@ AngleCurve sampled(std::string note, const std::function<double(double)>& value)
   return curve;
 }
 
-const SpecimenRecord* intact_of(const RunRecord& run) {
-  for (const SpecimenRecord& t : run.tests)
-    if (t.result.intact) return &t;
-  return nullptr;
-}
-
-/// E of Eq. 1 is that of the specimen at 90 degrees where there is one, else of the intact specimen, else
-/// free.
-theory::Eq1Options reference_for(const RunRecord& run) {
-  theory::Eq1Options options;
-  options.reference = theory::Eq1Reference::free;
-  if (const SpecimenRecord* intact = intact_of(run);
-      intact != nullptr && value_of(*intact, "E_tangent") > 0.0) {
-    options.reference = theory::Eq1Reference::given;
-    options.E = value_of(*intact, "E_tangent");
-  }
-  for (const SpecimenRecord& t : run.tests)
-    if (!t.result.intact && t.result.theta == 90.0 && value_of(t, "E_tangent") > 0.0)
-      options.reference = theory::Eq1Reference::measured_90;
-  return options;
-}
-
-/// Of planes over their spacing; dispersed joints have none.
-std::string macro_stiffness(const theory::JointedRock& rock, const BeddingRecipe& set) {
+/// Of planes over their spacing; `set`: null where it is not known, and dispersed joints have none.
+std::string macro_stiffness(const theory::JointedRock& rock, const BeddingRecipe* set) {
   const double K_n = rock.K_n_delta * 1e-9, K_s = rock.K_s_delta * 1e-9;
-  if (!set.has_planes()) return fmt::format("K_n δ = {:.1f} GPa, K_s δ = {:.1f} GPa", K_n, K_s);
-  return fmt::format("K_n = {:.0f} GPa/m, K_s = {:.0f} GPa/m", K_n / set.spacing, K_s / set.spacing);
+  if (set == nullptr || !set->has_planes())
+    return fmt::format("K_n δ = {:.1f} GPa, K_s δ = {:.1f} GPa", K_n, K_s);
+  return fmt::format("K_n = {:.0f} GPa/m, K_s = {:.0f} GPa/m", K_n / set->spacing, K_s / set->spacing);
+}
+
+AngleCurve without(const std::string& reason) { return {"No theory curve: " + reason + ".", {}, {}}; }
+
+AngleCurve goodman_curve(const theory::Eq1Fit& fit, const BeddingRecipe* set) {
+  if (!fit.ok()) return without(fit.reason);
+  return sampled(fmt::format("Dashed: equivalent continuum (Goodman 1976), least squares in compliance: "
+                             "E = {:.1f} GPa, {}, R² = {:.3f}.",
+                             fit.rock.E * 1e-9, macro_stiffness(fit.rock, set), fit.R2),
+                 [&](double theta) { return theory::goodman_E(fit.rock, theta); });
+}
+
+/// `matrix`: where its strength is from.
+AngleCurve jaeger_curve(const theory::JaegerFit& fit, const char* matrix) {
+  if (const std::string refused = fit.no_plane(); !refused.empty()) return without(refused);
+  return sampled(
+      fmt::format("Dashed: one plane of weakness (Jaeger 1960), least squares: c = {:.1f} MPa, φ = "
+                  "{:.1f}°, rock of {:.1f} MPa ({}), R² = {:.3f}.",
+                  fit.plane.cohesion * 1e-6, fit.plane.friction, fit.matrix_ucs * 1e-6, matrix, fit.R2),
+      [&](double theta) { return theory::jaeger_sigma_1(fit.plane, fit.matrix_ucs, theta, 0.0); });
+}
+
+AngleValue one(double theta, double value) {
+  AngleValue v;
+  v.theta = theta, v.value.n = 1, v.value.mean = value;
+  return v;
 }
 
 void add_goodman(const RunRecord& run, TheoryCurves& curves) {
   const Recipe& recipe = run.tests.front().recipe;  // all have the same
   if (!jointed_isotropic(recipe)) {
-    curves.E.note = curves.nu.note = fmt::format("No theory curve: {}.", no_weak_planes(recipe));
+    curves.E = curves.nu = without(no_weak_planes(recipe));
     return;
   }
-  std::vector<theory::ModulusReading> readings;
-  double nu_90 = nan;
+  std::vector<AngleValue> moduli;
+  double nu_90 = nan, E_intact = nan;
   for (const SpecimenRecord& t : run.tests) {
-    if (t.result.intact) continue;
-    if (value_of(t, "E_tangent") > 0.0) readings.push_back({t.result.theta, value_of(t, "E_tangent")});
-    if (t.result.theta == 90.0) nu_90 = value_of(t, "nu");
+    const double E = value_of(t, "E_tangent");
+    if (t.result.intact && !(E_intact > 0.0)) E_intact = E;
+    if (!t.result.intact && E > 0.0) moduli.push_back(one(t.result.theta, E));
+    if (!t.result.intact && t.result.theta == 90.0) nu_90 = value_of(t, "nu");
   }
-  const theory::Eq1Options options = reference_for(run);
-  const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
-  if (!fit.ok()) {
-    curves.E.note = curves.nu.note = "No theory curve: " + fit.reason + ".";
-    return;
-  }
-  const char* reference = options.reference == theory::Eq1Reference::measured_90 ? "E taken at 90°"
-                          : options.reference == theory::Eq1Reference::given     ? "E of the intact specimen"
-                                                                                 : "E fitted";
+  const theory::Eq1Fit fit = fit_moduli(moduli, E_intact);
+  curves.E = goodman_curve(fit, &recipe.bedding.front());
+  curves.nu = without(fit.ok() ? "it starts from ν at 90°" : fit.reason);
+  if (!fit.ok() || !std::isfinite(nu_90)) return;
   theory::JointedRock rock = fit.rock;
-  curves.E = sampled(
-      fmt::format("Dashed: equivalent continuum (Goodman 1976), least squares in compliance, {}: E = {:.1f} "
-                  "GPa, {}, R² = {:.3f}.",
-                  reference, rock.E * 1e-9, macro_stiffness(rock, recipe.bedding.front()), fit.R2),
-      [&](double theta) { return theory::goodman_E(rock, theta); });
   rock.nu = nu_90;
-  curves.nu.note = "No theory curve: it starts from ν at 90°.";
-  if (std::isfinite(nu_90))
-    curves.nu = sampled("Dashed: the same continuum, with ν at 90°; nothing fitted here.",
-                        [&](double theta) { return theory::goodman_nu(rock, theta); });
+  curves.nu = sampled("Dashed: the same continuum, with ν at 90°; nothing fitted here.",
+                      [&](double theta) { return theory::goodman_nu(rock, theta); });
 }
 
 void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
   if (!has_weak_planes(run.tests.front().recipe)) {
-    curves.ucs.note = fmt::format("No theory curve: {}.", no_weak_planes(run.tests.front().recipe));
+    curves.ucs = without(no_weak_planes(run.tests.front().recipe));
     return;
   }
   std::vector<theory::StrengthReading> readings;
@@ -105,18 +99,8 @@ void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
     strongest = std::max(strongest, ucs);
     if (t.result.theta == 0.0 || t.result.theta == 90.0) ends += ucs, n_ends += 1.0;
   }
-  const double matrix = n_ends > 0.0 ? ends / n_ends : strongest;
-  const theory::JaegerFit fit = theory::fit_jaeger(readings, matrix);
-  if (const std::string refused = fit.no_plane(); !refused.empty()) {
-    curves.ucs.note = "No theory curve: " + refused + ".";
-    return;
-  }
-  curves.ucs =
-      sampled(fmt::format("Dashed: one plane of weakness (Jaeger 1960), least squares, matrix of {:.1f} MPa "
-                          "({}): c = {:.1f} MPa, φ = {:.1f}°, R² = {:.3f}.",
-                          matrix * 1e-6, n_ends > 0.0 ? "mean at 0° and 90°" : "the strongest",
-                          fit.plane.cohesion * 1e-6, fit.plane.friction, fit.R2),
-              [&](double theta) { return theory::jaeger_sigma_1(fit.plane, matrix, theta, 0.0); });
+  curves.ucs = jaeger_curve(theory::fit_jaeger(readings, n_ends > 0.0 ? ends / n_ends : strongest),
+                            n_ends > 0.0 ? "mean at 0° and 90°" : "the strongest");
 }
 
 }  // namespace
@@ -152,28 +136,11 @@ TheoryCurves theory_curves(const std::vector<Target>& table) {
   std::vector<AngleValue> moduli;
   std::vector<theory::StrengthReading> strengths;
   for (const Target& t : least_confined(table)) {
-    AngleValue E;
-    E.theta = t.theta, E.value.n = static_cast<std::size_t>(std::max(t.n, 0)), E.value.mean = t.mean;
-    if (t.property == Property::E) moduli.push_back(E);
+    if (t.property == Property::E && t.n > 0) moduli.push_back(one(t.theta, t.mean));
     if (t.property == Property::ucs) strengths.push_back({t.theta, t.mean});
   }
-  const theory::Eq1Fit goodman = fit_moduli(moduli, nan);
-  curves.E.note = "No curve of Goodman: " + goodman.reason + ".";
-  if (goodman.ok())
-    curves.E = sampled(
-        fmt::format("Dashed: Goodman's equivalent continuum through the laboratory's E: E = "
-                    "{:.1f} GPa, K_n δ = {:.1f} GPa, K_s δ = {:.1f} GPa.",
-                    goodman.rock.E * 1e-9, goodman.rock.K_n_delta * 1e-9, goodman.rock.K_s_delta * 1e-9),
-        [&](double theta) { return theory::goodman_E(goodman.rock, theta); });
-  const theory::JaegerFit jaeger = theory::fit_jaeger_and_matrix(strengths);
-  const std::string refused = jaeger.no_plane();
-  if (!strengths.empty()) curves.ucs.note = "No curve of Jaeger: " + refused + ".";
-  if (refused.empty())
-    curves.ucs = sampled(
-        fmt::format("Dashed: one plane of weakness (Jaeger 1960) through the laboratory's UCS: c = {:.1f} "
-                    "MPa, φ = {:.1f}°, rock of {:.1f} MPa.",
-                    jaeger.plane.cohesion * 1e-6, jaeger.plane.friction, jaeger.matrix_ucs * 1e-6),
-        [&](double theta) { return theory::jaeger_sigma_1(jaeger.plane, jaeger.matrix_ucs, theta, 0.0); });
+  curves.E = goodman_curve(fit_moduli(moduli, nan), nullptr);
+  if (!strengths.empty()) curves.ucs = jaeger_curve(theory::fit_jaeger_and_matrix(strengths), "fitted");
   return curves;
 }
 

@@ -3,17 +3,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
-#include <sstream>
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
+#include "report/calibration_figures.hpp"
 #include "report/calibration_files.hpp"
 #include "report/curves.hpp"
+#include "report/figure_json.hpp"
+#include "report/gnuplot_figure.hpp"
 #include "report/palette.hpp"
+#include "report/run_figures.hpp"
 #include "report/specimen_picture.hpp"
+#include "report/variation_figures.hpp"
 #include "theory/goodman.hpp"
 
 namespace phy::report {
@@ -45,6 +49,21 @@ Variation continuum(const std::vector<double>& factors) {
   return v;
 }
 
+/// All series of a name, or of a role, over all panels.
+std::vector<Series> named(const Figure& figure, const std::string& name) {
+  std::vector<Series> some;
+  for (const Panel& p : figure.panels)
+    for (const Series& s : p.series)
+      if (s.name == name) some.push_back(s);
+  return some;
+}
+std::vector<Series> of_role(const Panel& panel, Role role, Mark mark) {
+  std::vector<Series> some;
+  for (const Series& s : panel.series)
+    if (s.role == role && s.mark == mark) some.push_back(s);
+  return some;
+}
+
 std::string script_of(const std::string& kind, const FigureData& data, double width = 0.0) {
   return figure_script(figure_kind(kind), data, FigureFormat::svg, width, "out.svg");
 }
@@ -72,22 +91,30 @@ TEST(Figures, AnUnknownKindIsToldWithTheNearest) {
 
 // Eq. 1 is fitted to its own values: the stiffnesses that went in come out, 7000 GPa/m times the factor.
 TEST(Figures, MacroStiffnessesAreThoseOfTheContinuum) {
-  FigureData data;
-  data.variation = continuum({0.5, 1.0, 2.0});
-  const std::string script = script_of("stiffness", data);
-  for (const char* row : {"0.5 3500 ", "1 7000 ", "2 14000 ", "0.5 1400 ", "2 1400 "})
-    EXPECT_THAT(script, HasSubstr(row));
+  const Figure figure = stiffness_figure(continuum({0.5, 1.0, 2.0}));
+  ASSERT_EQ(figure.panels.size(), 2U);
+  EXPECT_EQ(figure.panels[0].y.label(), "macro normal stiffness K_n [GPa/m]");
+  const std::vector<Series> means = named(figure, "k_n");
+  ASSERT_EQ(means.size(), 2U) << "in both panels";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double factor = std::pow(2.0, static_cast<double>(i) - 1.0);
+    EXPECT_EQ(means[0].points[i].x, factor);
+    EXPECT_NEAR(means[0].points[i].y, 7000.0 * factor, 1e-3);
+    EXPECT_NEAR(means[1].points[i].y, 1400.0, 1e-3);
+  }
 }
 
 // 2 x 3000 + 400 GPa/m at the base.
 TEST(Figures, LinesOfOthersStandBesideTheirParameter) {
-  FigureData data;
-  data.variation = continuum({0.5, 1.0, 2.0});
-  data.variation.regressions = {{"they", "K_n", "bedding.k_n", 2.0, 400e9, "Pa/m", 1.0},
-                                {"nobody", "K_n", "bedding.k_s", 2.0, 400e9, "Pa/m", 1.0}};
-  const std::string script = script_of("stiffness", data);
-  for (const char* part : {"1 6400", "2 12400", "title 'they'"}) EXPECT_THAT(script, HasSubstr(part));
-  EXPECT_EQ(script.find("nobody"), script.npos);
+  Variation v = continuum({0.5, 1.0, 2.0});
+  v.regressions = {{"they", "K_n", "bedding.k_n", 2.0, 400e9, "Pa/m", 1.0},
+                   {"nobody", "K_n", "bedding.k_s", 2.0, 400e9, "Pa/m", 1.0}};
+  const Figure figure = stiffness_figure(v);
+  const std::vector<Series> they = named(figure, "they");
+  ASSERT_EQ(they.size(), 1U);
+  EXPECT_NEAR(they[0].points[1].y, 6400.0, 1e-9);
+  EXPECT_NEAR(they[0].points[2].y, 12400.0, 1e-9);
+  EXPECT_TRUE(named(figure, "nobody").empty());
 }
 
 // Two packings, 10 % softer and stiffer in K_n: mean and interval of both fits, not a fit of the mean.
@@ -102,12 +129,11 @@ TEST(Figures, MacroStiffnessesAreFittedPackingByPacking) {
 }
 
 TEST(Figures, ValuesLoseTheirCommonUnitToTheTitle) {
-  FigureData data;
-  data.variation = continuum({0.5, 1.0});
-  const std::string script = script_of("fig5", data);
-  EXPECT_THAT(script, HasSubstr("{/:Italic k}_n [GPa/m]"));
-  EXPECT_THAT(script, HasSubstr("title '1500'"));
-  EXPECT_THAT(script, HasSubstr("title '3000 (base)'"));
+  const Figure figure = modulus_figure(continuum({0.5, 1.0}));
+  EXPECT_EQ(figure.panels[0].title, "k_n [GPa/m]");
+  EXPECT_EQ(named(figure, "1500").size(), 1U);
+  ASSERT_EQ(named(figure, "3000 (base)").size(), 1U);
+  EXPECT_TRUE(named(figure, "3000 (base)")[0].strong);
 }
 
 TEST(Figures, WhatIsNotThereIsRefused) {
@@ -139,37 +165,10 @@ TEST(Figures, OnlyPanelsWithNumbersAreDrawn) {
   FigureData data;
   data.run.tests = {test_at(0.0, "bts", 1.0), test_at(90.0, "bts", 1.0)};
   for (SpecimenRecord& t : data.run.tests) t.recipe.test.kind = TestKind("brazilian");
-  const std::string script = script_of("anisotropy", data);
-  EXPECT_THAT(script, HasSubstr("Brazilian strength [MPa]"));
-  EXPECT_THAT(script, HasSubstr("layout 1,1 "));
-  EXPECT_EQ(script.find("NaN"), script.npos);
-}
-
-/// Blocks of rows of a script, each with the words that draw it, in the order of the plot commands.
-struct Drawn {
-  std::vector<std::vector<double>> rows;
-  std::string how;
-};
-std::vector<Drawn> drawn_in(const std::string& script) {
-  std::vector<Drawn> all;
-  std::istringstream lines(script);
-  std::map<std::string, std::vector<std::vector<double>>> blocks;
-  for (std::string line, name; std::getline(lines, line);) {
-    if (line.ends_with(" << EOD")) {
-      name = line.substr(0, line.find(' '));
-    } else if (line == "EOD") {
-      name.clear();
-    } else if (!name.empty()) {
-      std::istringstream cells(line);
-      std::vector<double> row;
-      for (std::string cell; cells >> cell;) row.push_back(cell == "NaN" ? NAN : std::stod(cell));
-      blocks[name].push_back(row);
-    } else if (const std::size_t at = line.find("$d"); at != line.npos) {
-      const std::string block = line.substr(at, line.find(' ', at) - at);
-      all.push_back({blocks[block], line.substr(at + block.size() + 1)});
-    }
-  }
-  return all;
+  const Figure figure = anisotropy_figure(data.run, {});
+  ASSERT_EQ(figure.panels.size(), 1U);
+  EXPECT_EQ(figure.panels[0].y.label(), "Brazilian strength [MPa]");
+  EXPECT_EQ(script_of("anisotropy", data).find("NaN 1"), std::string::npos);
 }
 
 Comparison compared(Property property, double theta, double laboratory, double model) {
@@ -195,47 +194,52 @@ Calibration with_ucs() {
   return c;
 }
 
-std::string script_of_calibration(const Calibration& c) {
-  FigureData data;
-  data.calibration = comparisons_of(calibration_json(c, "1"), "calibration.json");
-  return script_of("anisotropy", data);
+/// Drawn from what its file holds.
+Figure figure_of(const Calibration& c) {
+  return calibration_figure(comparisons_of(calibration_json(c, "1"), "calibration.json"));
 }
 
-/// The rows that are drawn so, of all panels.
-std::vector<std::vector<double>> rows_with(const std::string& script, const std::string& words) {
-  std::vector<std::vector<double>> rows;
-  for (const Drawn& d : drawn_in(script))
-    if (d.how.find(words) != d.how.npos) rows.insert(rows.end(), d.rows.begin(), d.rows.end());
-  return rows;
+/// The one series of a look in a panel.
+Series only(const Panel& panel, Role role, Mark mark) {
+  const std::vector<Series> some = of_role(panel, role, mark);
+  return some.size() == 1 ? some.front() : Series{};
 }
 
 // Of 4 specimens with a scatter of 10 %, the mean is known to 1.96 * 5 %.
 TEST(Figures, ACalibrationIsDrawnFromTheNumbersOfItsFile) {
-  const std::string script = script_of_calibration(with_ucs());
-  const auto laboratory = rows_with(script, "yerrorbars pt 12"), model = rows_with(script, "pt 7 ps 0.6"),
-             unseen = rows_with(script, "points pt 2"), band = rows_with(script, "boxxyerror"),
-             single = rows_with(script, "pt 7 ps 0.22");
-  ASSERT_EQ(laboratory.size(), 3U);
-  EXPECT_EQ(laboratory[1][0], 45.0);
-  EXPECT_NEAR(laboratory[1][1], 145.0, 1e-6);
-  EXPECT_NEAR(laboratory[1][3] / 145.0, 1.098, 1e-4);
-  ASSERT_EQ(model.size(), 3U);
-  EXPECT_NEAR(model[2][1], 210.0, 1e-6) << "on unseen packings, not on those of the fit";
-  ASSERT_EQ(unseen.size(), 2U) << "one had no answer";
-  EXPECT_NEAR(unseen[0][1], 70.0, 1e-6);
-  ASSERT_EQ(band.size(), 3U);
-  EXPECT_NEAR(band[0][4], 90.0, 1e-6);
-  EXPECT_NEAR(band[0][5], 130.0, 1e-6);
-  EXPECT_EQ(single.size(), 6U);
-  EXPECT_THAT(script, HasSubstr("UCS [MPa]"));
-  EXPECT_THAT(script, HasSubstr("model, unseen packings"));
+  const Figure figure = figure_of(with_ucs());
+  ASSERT_EQ(figure.panels.size(), 1U);
+  const Panel& panel = figure.panels[0];
+  EXPECT_EQ(panel.y.label(), "UCS [MPa]");
+  const Series laboratory = only(panel, Role::laboratory, Mark::points),
+               model = only(panel, Role::model, Mark::points),
+               unseen = only(panel, Role::left_out, Mark::points),
+               band = only(panel, Role::interval, Mark::boxes),
+               single = only(panel, Role::specimen, Mark::dots);
+  ASSERT_EQ(laboratory.points.size(), 3U);
+  EXPECT_EQ(laboratory.points[1].x, 45.0);
+  EXPECT_NEAR(laboratory.points[1].y, 145.0, 1e-6);
+  EXPECT_NEAR(laboratory.points[1].high / 145.0, 1.098, 1e-4);
+  EXPECT_EQ(model.name, "model, unseen packings");
+  ASSERT_EQ(model.points.size(), 3U);
+  EXPECT_NEAR(model.points[2].y, 210.0, 1e-6) << "on unseen packings, not on those of the fit";
+  EXPECT_EQ(model.points[0].text, "error +20.0 %") << "120 MPa beside 100";
+  ASSERT_EQ(unseen.points.size(), 2U) << "one had no answer";
+  EXPECT_NEAR(unseen.points[0].y, 70.0, 1e-6);
+  ASSERT_EQ(band.points.size(), 3U);
+  EXPECT_NEAR(band.points[0].low, 90.0, 1e-6);
+  EXPECT_NEAR(band.points[0].high, 130.0, 1e-6);
+  EXPECT_EQ(single.points.size(), 6U);
+  EXPECT_LT(single.points[0].x, laboratory.points[0].x) << "beside the mean";
 }
 
 // Angles of two specimens, too few for a theory: nothing joins what was computed at them.
 TEST(Figures, NoLineIsDrawnThroughWhatWasComputedAtSingleAngles) {
   Calibration c = with_ucs();
   for (auto* rows : {&c.fitted, &c.verification, &c.left_out}) rows->erase(rows->begin() + 1);
-  EXPECT_EQ(script_of_calibration(c).find("lines"), std::string::npos);
+  const Figure figure = figure_of(c);
+  for (const Series& s : figure.panels[0].series)
+    EXPECT_TRUE((s.mark != Mark::line && s.mark != Mark::band) || s.points.empty()) << s.name;
 }
 
 TEST(Figures, ACalibrationHasAPanelForEveryTestOfItsTable) {
@@ -248,12 +252,16 @@ TEST(Figures, ACalibrationHasAPanelForEveryTestOfItsTable) {
   c.fitted.back().target.diameter = 0.054;
   c.fitted.push_back(compared(Property::confined, 0.0, 2e8, 2.1e8));
   c.fitted.back().target.confining = 10e6;
-  const std::string script = script_of_calibration(c);
-  EXPECT_THAT(script, HasSubstr("layout 2,2 "));
-  for (const char* text : {"Brazilian strength [MPa]", "54 mm", "10 MPa", "(d)", "packings of the fit",
-                           "standard deviation of the packings"})
-    EXPECT_THAT(script, HasSubstr(text));
-  EXPECT_NEAR(rows_with(script, "boxxyerror")[0][4], 108.0, 1e-6) << "one standard deviation";
+  const Figure figure = figure_of(c);
+  ASSERT_EQ(figure.panels.size(), 4U);
+  EXPECT_TRUE(figure.panels[1].aside) << "nu";
+  EXPECT_EQ(figure.panels[2].y.label(), "Brazilian strength [MPa]");
+  EXPECT_EQ(figure.panels[2].title, "54 mm");
+  EXPECT_EQ(figure.panels[3].title, "10 MPa");
+  EXPECT_EQ(only(figure.panels[0], Role::model, Mark::points).name, "model, packings of the fit");
+  const Series box = only(figure.panels[0], Role::interval, Mark::boxes);
+  EXPECT_EQ(box.name, "model ± standard deviation of the packings");
+  EXPECT_NEAR(box.points[0].low, 108.0, 1e-6) << "one standard deviation";
 }
 
 TEST(Figures, AFileThatIsNoCalibrationIsNamed) {
@@ -293,20 +301,80 @@ TEST(Figures, CurvesDifferInGreyAndAreNamedAtTheirPeaks) {
   for (int k = 0; k < 7; ++k) data.run.tests.push_back(curve_to(15.0 * k, 0.1 * (k + 1), 50.0 + 10.0 * k));
   data.run.tests.push_back(curve_to(0.0, 0.9, 140.0));
   data.run.tests.back().result.intact = true;
-  const std::string script = script_of("stress_strain", data);
-  std::set<std::string> dashes;
+  const Figure figure = stress_strain_figure(data.run);
   double before = 1.0;
-  for (const Drawn& d : drawn_in(script)) {
-    if (!d.how.starts_with("with lines")) continue;
-    const std::size_t dash = d.how.find(" dt ") + 4, color = d.how.find('#');
-    dashes.insert(d.how.substr(dash, d.how.find(' ', dash) - dash));
-    const double now = luminance(d.how.substr(color, 7));
-    EXPECT_LT(now, 0.85 * before) << d.how;
+  std::vector<std::string> peaks;
+  for (const Series& s : figure.panels[0].series) {
+    if (s.mark == Mark::text) peaks.push_back(fmt::format("{} at {:g}", s.points[0].text, s.points[0].x));
+    if (s.mark != Mark::line) continue;
+    const double now = luminance(hex_color(paper_color(s.role, s.number, s.shade)));
+    EXPECT_LT(now, 0.85 * before) << s.name;
     before = now;
   }
+  EXPECT_THAT(peaks, testing::IsSupersetOf({"45° at 0.4", "intact at 0.9"}));
+  const std::string script = script_of("stress_strain", data);
+  std::set<std::string> dashes;
+  for (std::size_t at = script.find(" dt "); at != script.npos; at = script.find(" dt ", at + 1))
+    dashes.insert(script.substr(at + 4, script.find(' ', at + 4) - at - 4));
   EXPECT_EQ(dashes.size(), 8U);
-  EXPECT_THAT(script, HasSubstr("set label '45°' at first 0.4,"));
-  EXPECT_THAT(script, HasSubstr("set label 'intact' at first 0.9,"));
+}
+
+// Of 4000 rows some 900 points are left, the peak and the end among them.
+TEST(Figures, LongCurvesAreThinnedAroundTheirPeak) {
+  RunRecord run;
+  run.tests.push_back(curve_to(0.0, 1.0, 1.0));
+  auto& rows = run.tests[0].result.history.rows;
+  rows.assign(4000, {});
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].axial_strain = 1e-6 * static_cast<double>(i);
+  rows[1237].axial_stress = 77e6;
+  const Figure figure = stress_strain_figure(run);
+  const Series curve = only(figure.panels[0], Role::ordered, Mark::line);
+  EXPECT_THAT(curve.points.size(), testing::AllOf(testing::Gt(800U), testing::Lt(1100U)));
+  EXPECT_EQ(
+      std::count_if(curve.points.begin(), curve.points.end(), [](const Point& p) { return p.y == 77.0; }), 1);
+  EXPECT_DOUBLE_EQ(curve.points.back().x, 0.3999);
+}
+
+// Three cracks in the matrix, of which one in shear, and one of the bedding, spread over the test.
+TEST(Figures, CracksAreCountedByKindAndAddUp) {
+  RunRecord run;
+  run.tests.push_back(curve_to(30.0, 0.5, 10.0));
+  SpecimenRecord& t = run.tests[0];
+  t.result.cracks.resize(4);
+  for (std::size_t i = 0; i < 4; ++i) t.result.cracks[i].strain = 0.002 * static_cast<double>(i + 1);
+  t.result.cracks[1].mode = CrackMode::shear, t.result.cracks[3].place = CrackPlace::bedding;
+  const Panel panel = damage_figure(run).panels.at(0);
+  ASSERT_TRUE(panel.right);
+  EXPECT_EQ(panel.right->label(), "cracks");
+  const std::vector<Series> bands = of_role(panel, Role::crack, Mark::band);
+  ASSERT_EQ(bands.size(), 4U);
+  EXPECT_EQ(bands[0].points.back().high, 2.0);
+  EXPECT_EQ(bands[1].points.back().low, 2.0);
+  EXPECT_EQ(bands[1].points.back().high, 3.0);
+  EXPECT_EQ(bands[2].points.back().high, 4.0);
+  EXPECT_EQ(bands[3].points.back().high, 4.0);
+  EXPECT_EQ(bands[0].points.front().high, 0.0);
+  const Panel modes = modes_figure(run).panels.at(0);
+  EXPECT_EQ(modes.x.names, std::vector<std::string>{"30°"});
+  EXPECT_DOUBLE_EQ(modes.series[1].points[0].high - modes.series[1].points[0].low, 25.0);
+}
+
+// Half of the cracks along x, one in shear across: petals of half and full length, on both sides.
+TEST(Figures, AreasOfPetalsAreNumbersOfCracks) {
+  RunRecord run;
+  run.tests.push_back(curve_to(45.0, 0.5, 10.0));
+  auto& cracks = run.tests[0].result.cracks;
+  cracks.resize(5);
+  for (CrackEvent& c : cracks) c.normal = {0.0, 1.0};
+  cracks[4].normal = {1.0, 0.0}, cracks[4].mode = CrackMode::shear;
+  const Panel panel = rose_figure(run).panels.at(0);
+  EXPECT_EQ(panel.title, "θ = 45°, n = 5");
+  double right = 0.0, up = 0.0;
+  for (const Series& s : of_role(panel, Role::crack, Mark::area))
+    for (const Point& p : s.points) right = std::fmax(right, p.x), up = std::fmax(up, p.y);
+  EXPECT_NEAR(right, 1.0, 0.01) << "the largest reaches the circle";
+  EXPECT_NEAR(up, 0.5, 0.005);
+  EXPECT_EQ(of_role(panel, Role::bedding, Mark::line).size(), 1U);
 }
 
 TEST(Figures, NamesOfPeaksThatMeetStandAboveOneAnother) {
@@ -316,7 +384,8 @@ TEST(Figures, NamesOfPeaksThatMeetStandAboveOneAnother) {
     data.run.tests.push_back(curve_to(45.0, 0.371, 61.7 + 0.1037 * k));
   const std::string script = script_of("stress_strain", data);
   std::vector<double> heights;
-  for (std::size_t at = script.find("set label"); at != script.npos; at = script.find("set label", at + 1))
+  for (std::size_t at = script.find("set label '"); at != script.npos;
+       at = script.find("set label '", at + 1))
     heights.push_back(std::stod(script.substr(script.find(',', at) + 1)));
   ASSERT_EQ(heights.size(), 204U);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_GT(heights[i], heights[i - 1] + 2.0);
@@ -333,19 +402,57 @@ Variation packings(std::vector<double> values) {
 }
 
 TEST(Figures, TwoPackingsAreTwoPointsAndThreeHaveAnInterval) {
+  const Figure two = strength_figure(packings({9e7, 1.1e8}));
+  const Series means = only(two.panels[0], Role::ordered, Mark::points),
+               each = only(two.panels[0], Role::ordered, Mark::dots);
+  ASSERT_EQ(each.points.size(), 4U);
+  EXPECT_NEAR(each.points[0].y, 90.0, 1e-6);
+  EXPECT_NEAR(each.points[1].y, 110.0, 1e-6);
+  EXPECT_TRUE(std::isnan(means.points[0].high));
+  const Figure three = strength_figure(packings({9e7, 1e8, 1.1e8}));
+  EXPECT_TRUE(of_role(three.panels[0], Role::ordered, Mark::dots).empty());
+  const Point point = only(three.panels[0], Role::ordered, Mark::points).points[0];
+  EXPECT_NEAR(point.high - point.y, 4.30265 * 10.0 / std::sqrt(3.0),
+              1e-3);  // Student, two degrees of freedom
+}
+
+TEST(Figures, AxesEndAtRoundNumbersAboveTheData) {
+  Panel panel;
+  panel.series = {{"", Mark::points}};
+  for (const auto& [value, end] : {std::pair{147.1, 150.0}, {0.23, 0.25}, {6.0, 6.0}, {9.9e-4, 1e-3}}) {
+    panel.y = {}, panel.series[0].points = {{0.0, value}};
+    fit_axes(panel);
+    EXPECT_EQ(panel.y.low, 0.0);
+    EXPECT_NEAR(panel.y.high / end, 1.0, 1e-9) << value;
+  }
+  panel.y = {}, panel.series[0].points = {{0.0, -3.0}, {1.0, 2.0, nan, 4.2}};
+  fit_axes(panel);
+  EXPECT_EQ(panel.y.low, -3.0);
+  EXPECT_EQ(panel.y.high, 5.0) << "a bar belongs to its point";
+}
+
+TEST(Figures, SymbolsAreSetInItalicsAndWordsAreNot) {
+  EXPECT_EQ(typeset("E [GPa]"), "{/:Italic E} [GPa]");
+  EXPECT_EQ(typeset("σ_ci"), "{/:Italic σ}_{ci}");
+  EXPECT_EQ(typeset("θ = 30°"), "{/:Italic θ} = 30°");
+  EXPECT_EQ(typeset("the rock's UCS"), "the rock's UCS");
+  EXPECT_EQ(typeset("matrix.E_c").find("Italic"), std::string::npos) << "a key is no symbol";
+}
+
+// A mark for every name, wherever it is drawn.
+TEST(Figures, AllWhoDrawShowTheSameNamesAndAxes) {
   FigureData data;
-  data.variation = packings({9e7, 1.1e8});
-  const std::string two = script_of("fig6", data);
-  EXPECT_EQ(two.find("yerrorbars"), two.npos);
-  const auto rows = drawn_in(two).front().rows;
-  ASSERT_EQ(rows.size(), 2U);
-  EXPECT_NEAR(rows[0][4], 90.0, 1e-6);
-  EXPECT_NEAR(rows[0][5], 110.0, 1e-6);
-  EXPECT_THAT(two, testing::AllOf(HasSubstr("using 1:5 with points"), HasSubstr("using 1:6 with points")));
-  data.variation = packings({9e7, 1e8, 1.1e8});
-  const std::string three = script_of("fig6", data);
-  EXPECT_THAT(three, HasSubstr("yerrorbars"));
-  EXPECT_EQ(three.find("using 1:5"), three.npos);
+  data.calibration = comparisons_of(calibration_json(with_ucs(), "1"), "calibration.json");
+  const Figure figure = calibration_figure(*data.calibration);
+  const std::string script = script_of("anisotropy", data), page = figure_json(figure).dump(),
+                    text = figure_text(figure_kind("anisotropy"), data, 100);
+  const std::vector<const Series*> names = named_series(panels_of(figure));
+  EXPECT_EQ(names.size(), 5U);
+  for (const Series* s : names)
+    for (const std::string& drawn : {script, page, text})
+      EXPECT_THAT(drawn, HasSubstr(s->name.substr(0, s->name.find('\'')))) << "gnuplot doubles quotes";
+  for (const std::string& drawn : {script, text}) EXPECT_THAT(drawn, HasSubstr("UCS [MPa]"));
+  EXPECT_THROW(figure_text(figure_kind("cracks"), data, 80), InputError);
 }
 
 TEST(Figures, SpecimensFillTheirFigure) {

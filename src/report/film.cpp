@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "report/palette.hpp"
+#include "report/run_figures.hpp"
 
 namespace phy::report {
 namespace {
@@ -15,6 +16,11 @@ constexpr double label_height = 34.0, curve_height = 190.0, edge = 14.0;  // [pi
 constexpr double widest_cell = 420.0;                                     // [pixels]
 constexpr double rest = 0.12;  // of the film, in which the end stands still
 constexpr Color paper = 0xffffff, ink = 0x3d464c;
+
+Color color_of(const TestResult& r) {
+  const Series look = series_of(r, Mark::line, 0);
+  return paper_color(look.role, look.number, look.shade);
+}
 
 }  // namespace
 
@@ -61,19 +67,19 @@ Canvas Film::frame(int i) const {
 
 void Film::draw_curves(Canvas& canvas, double strain) const {
   const double left = edge + 8.0, right = width() - edge - 8.0, low = curve_top_ + curve_height;
-  const auto x = [&](double s) { return left + (right - left) * s / end_; };
-  const auto y = [&](double s) { return low - curve_height * s / std::max(1.0, strongest_); };
-  canvas.line(left, low, right, low, 1.2, ink);
-  canvas.line(left, curve_top_, left, low, 1.2, ink);
+  const auto place = [&](const HistoryRow& row) {
+    return Vec2{left + (right - left) * axes_.strain_of(row) / end_,
+                low - curve_height * axes_.stress_of(row) / std::max(1.0, strongest_)};
+  };
+  canvas.line({left, low}, {right, low}, 1.2, ink);
+  canvas.line({left, curve_top_}, {left, low}, 1.2, ink);
   for (const Place& p : places_) {
     const auto& rows = p.test->result.history.rows;
-    const Color color = paper_color(p.test->result);
+    const Color color = color_of(p.test->result);
     std::size_t last = 0;
     for (std::size_t i = 1; i < rows.size() && axes_.strain_of(rows[i]) <= strain; last = i++)
-      canvas.line(x(axes_.strain_of(rows[i - 1])), y(axes_.stress_of(rows[i - 1])),
-                  x(axes_.strain_of(rows[i])), y(axes_.stress_of(rows[i])), 1.6, color);
-    if (!rows.empty())
-      canvas.disc(x(axes_.strain_of(rows[last])), y(axes_.stress_of(rows[last])), 4.5, color);
+      canvas.line(place(rows[i - 1]), place(rows[i]), 1.6, color);
+    if (!rows.empty()) canvas.disc(place(rows[last]).x, place(rows[last]).y, 4.5, color);
   }
 }
 
@@ -84,8 +90,7 @@ std::string Film::labels() const {
                           filter.empty() ? "" : ",", text, x, y, color);
   };
   for (const Place& p : places_)
-    add(p.test->result.intact ? "intact" : fmt::format("θ = {:g}°", p.test->result.theta),
-        p.view.left + 0.46 * cell_, 9.0, paper_color(p.test->result));
+    add(heading(p.test->result), p.view.left + 0.46 * cell_, 9.0, color_of(p.test->result));
   add(fmt::format("{} to {:.3g} MPa over {} to {:.2g} {}", axes_.stress, 1e-6 * strongest_, axes_.strain,
                   axes_.strain_factor * end_, axes_.strain_unit == "%" ? "percent" : axes_.strain_unit),
       0.5 * width(), height_ - 24.0, ink);

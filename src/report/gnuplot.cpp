@@ -30,15 +30,11 @@ void GnuplotScript::plot(const std::vector<std::string>& parts) {
   commands_ += "\n";
 }
 
-void GnuplotScript::picture(const Canvas& canvas, double x0, double y0, double x1, double y1,
-                            const std::vector<std::string>& over) {
+void GnuplotScript::picture(const Canvas& canvas, double x0, double y0, double x1, double y1) {
   const double dx = (x1 - x0) / canvas.width(), dy = (y1 - y0) / canvas.height();
-  std::vector<std::string> parts = {
-      fmt::format("'-' binary array=({},{}) flipy dx={:.9g} dy={:.9g} origin=({:.9g},{:.9g}) format='%uchar' "
-                  "using 1:2:3 with rgbimage notitle",
-                  canvas.width(), canvas.height(), dx, dy, x0 + 0.5 * dx, y0 + 0.5 * dy)};
-  parts.insert(parts.end(), over.begin(), over.end());
-  plot(parts);
+  add("plot '-' binary array=({},{}) flipy dx={:.9g} dy={:.9g} origin=({:.9g},{:.9g}) format='%uchar' using "
+      "1:2:3 with rgbimage notitle",
+      canvas.width(), canvas.height(), dx, dy, x0 + 0.5 * dx, y0 + 0.5 * dy);
   commands_ += canvas.rgb();
 }
 

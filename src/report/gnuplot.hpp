@@ -22,9 +22,8 @@ class GnuplotScript {
     commands_ += fmt::format(line, std::forward<A>(args)...) + "\n";
   }
   void plot(const std::vector<std::string>& parts);
-  /// A plot of one picture that spans [x0, x1] x [y0, y1]; `over`: parts drawn on it.
-  void picture(const Canvas& canvas, double x0, double y0, double x1, double y1,
-               const std::vector<std::string>& over);
+  /// A plot of one picture that spans [x0, x1] x [y0, y1].
+  void picture(const Canvas& canvas, double x0, double y0, double x1, double y1);
   std::string text() const { return data_ + commands_; }
 
  private:

@@ -12,9 +12,13 @@
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
 #include "records/test_description.hpp"
-#include "report/curves.hpp"
+#include "report/calibration_figures.hpp"
+#include "report/figure_json.hpp"
 #include "report/methods.hpp"
 #include "report/palette.hpp"
+#include "report/run_figures.hpp"
+#include "report/specimen_picture.hpp"
+#include "report/variation_figures.hpp"
 
 namespace phy::report {
 namespace {
@@ -28,28 +32,30 @@ std::string packed(const Items& items, Value value) {
   return io::base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
 }
 
-/// Growing while the test loads, whatever the kind of test.
-Json history_json(const History& history, const TestCurve& axes) {
-  return {{"strain", packed<double>(history.rows, [&](const HistoryRow& r) { return axes.strain_of(r); })},
-          {"stress", packed<double>(history.rows, [&](const HistoryRow& r) { return axes.stress_of(r); })}};
-}
-
-Json axes_json(const TestDescription& test) {
-  const TestCurve& a = test.curve;
-  const TestQuantity made_for = a.quantity();
+Json axes_json(const TestCurve& a) {
   return {{"strain", a.strain},
           {"strain_unit", a.strain_unit},
           {"strain_factor", a.strain_factor},
-          {"stress", a.stress},
-          {"sign", a.sign},
-          {"strength", a.strength},
-          {"strength_label", a.strength_label},
-          {"quantity",
-           {{"number", made_for.number},
-            {"label", made_for.label},
-            {"unit", made_for.unit},
-            {"factor", made_for.scale}}},
-          {"property", test.property() ? to_string(*test.property()) : ""}};
+          {"sign", a.sign}};
+}
+
+/// Those of the test's table, the strain at the peak, cracks by kind, and the error of energy.
+Json columns_json(const TestDescription& test) {
+  std::vector<TableColumn> columns = test.table;
+  const TestCurve& curve = test.curve;
+  columns.push_back({"at peak", curve.strain_unit.c_str(), "peak_strain", curve.strain_factor, 4});
+  for (std::size_t kind = 0; kind < crack_names.size(); ++kind)
+    columns.push_back({crack_names[kind], "cracks", crack_numbers[kind], 1.0, 0});
+  columns.push_back({"energy error", "", "energy_error", 1.0, 5});
+  Json j = Json::array();
+  for (const TableColumn& c : columns)
+    j.push_back({{"head", c.head},
+                 {"unit", c.unit},
+                 {"number", c.number},
+                 {"scale", c.scale},
+                 {"digits", c.digits},
+                 {"made_for", c.number == curve.quantity().number}});
+  return j;
 }
 
 Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {
@@ -63,8 +69,6 @@ Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {
 }
 
 Json test_json(const SpecimenRecord& t, std::size_t index) {
-  const Rose rose = crack_rose(t.result.cracks);
-  const TestCurve& axes = t.recipe.test.kind->curve;
   Json bedding = Json::array();
   for (std::size_t i = 0; i < t.bedding.size() && i < t.recipe.bedding.size(); ++i)
     // Other planes, and layers about planes, are not drawn by these numbers.
@@ -74,45 +78,29 @@ Json test_json(const SpecimenRecord& t, std::size_t index) {
                          {"offset", t.recipe.bedding[i].offset}});
   return {{"result", Json::parse(io::result_json(t))},
           {"label", t.result.intact ? "intact" : print_number(t.result.theta) + "°"},
-          {"history", history_json(t.result.history, axes)},
-          {"cracks", cracks_json(t.result.cracks, axes.sign)},
-          {"rose", {{"bin", rose.bin()}, {"tension", rose.tension}, {"shear", rose.shear}}},
+          {"end", last_strain(t)},
+          {"cracks", cracks_json(t.result.cracks, t.recipe.test.kind->curve.sign)},
           {"bedding", bedding},
           {"scene", t.scene.frames.empty() ? Json(nullptr) : Json("scene-" + std::to_string(index))}};
 }
 
-Json curve_json(const AngleCurve& c) { return {{"note", c.note}, {"theta", c.theta}, {"value", c.value}}; }
-
-Json target_json(const Target& t) {
-  return {
-      {"property", to_string(t.property)}, {"theta", t.theta}, {"mean", t.mean}, {"sd", t.sd}, {"n", t.n}};
-}
-
-Json spread_json(double at, const Summary& s) {
-  return {{"at", at}, {"mean", s.mean}, {"half", s.half_width}};
-}
-
-Json angles_json(const std::vector<AngleValue>& values) {
-  Json j = Json::array();
-  for (const AngleValue& v : values)
-    if (v.value.n > 0) j.push_back(spread_json(v.theta, v.value));
-  return j;
-}
-
-Json variation_json(const Variation& v) {
-  Json parameters = Json::array();
-  for (const VariedParameter& p : v.parameters) {
-    Json settings = Json::array(), K_n = Json::array(), K_s = Json::array();
-    for (const VariedSetting& s : p.settings)
-      settings.push_back(
-          {{"text", s.text}, {"base", s.base}, {"E", angles_json(s.E)}, {"ucs", angles_json(s.ucs)}});
-    for (const MacroPoint& m : macro_points(v, p)) {
-      if (m.K_n.n > 0) K_n.push_back(spread_json(m.factor, m.K_n));
-      if (m.K_s.n > 0) K_s.push_back(spread_json(m.factor, m.K_s));
-    }
-    parameters.push_back({{"key", p.key}, {"settings", settings}, {"K_n", K_n}, {"K_s", K_s}});
+/// What the page draws, in its order; null: nothing of the kind.
+Json figures_json(const RunRecord& run, const PageExtras& extras) {
+  Json j = {{"calibration", nullptr}, {"study", nullptr}, {"stress_strain", nullptr}};
+  if (extras.calibration) j["calibration"] = figure_json(calibration_figure(*extras.calibration));
+  if (extras.variation) {
+    Json parameters = Json::array();
+    for (const VariedParameter& p : extras.variation->parameters)
+      parameters.push_back({{"key", p.key}, {"figure", figure_json(parameter_figure(*extras.variation, p))}});
+    j["study"] = {{"macro", figure_json(macro_figure(*extras.variation))}, {"parameters", parameters}};
   }
-  return {{"name", v.name}, {"parameters", parameters}};
+  if (run.tests.empty()) return j;
+  j["stress_strain"] = figure_json(stress_strain_figure(run));
+  j["damage"] = figure_json(damage_figure(run));
+  j["anisotropy"] = figure_json(anisotropy_figure(run, extras.laboratory));
+  j["modes"] = figure_json(modes_figure(run));
+  j["rose"] = figure_json(rose_figure(run));
+  return j;
 }
 
 /// What was done, for a heading: several runs of one rock differ in it alone.
@@ -130,20 +118,15 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const SpecimenRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
-  j["axes"] = axes_json(*first.recipe.test.kind);
+  j["axes"] = axes_json(first.recipe.test.kind->curve);
+  j["columns"] = columns_json(*first.recipe.test.kind);
   j["done"] = done_json(first.recipe);
   j["tests"] = Json::array();
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
   j["missing"] = Json::array();
   for (const MissingTest& m : run.missing) j["missing"].push_back({{"name", m.name}, {"reason", m.reason}});
-  const bool of_table = run.tests.empty() || !extras.calibration.empty();  // else of what was tested
-  const TheoryCurves curves = of_table ? theory_curves(extras.laboratory) : theory_curves(run);
-  j["curves"] = {{"E", curve_json(curves.E)}, {"nu", curve_json(curves.nu)}, {"ucs", curve_json(curves.ucs)}};
-  j["laboratory"] = Json::array();
-  for (const Target& t : beside(run, extras.laboratory)) j["laboratory"].push_back(target_json(t));
-  j["calibration"] = extras.calibration.empty() ? Json(nullptr) : Json::parse(extras.calibration);
-  j["variations"] = Json::array();
-  if (extras.variation) j["variations"].push_back(variation_json(*extras.variation));
+  j["figures"] = figures_json(run, extras);
+  j["calibration"] = extras.calibration_json.empty() ? Json(nullptr) : Json::parse(extras.calibration_json);
   j["effects"] = extras.effects;
   j["methods"] = j["calibration"].is_object() ? j["calibration"].value("methods", Json::array())
                                               : Json(methods_text(run));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "records/calibration.hpp"
 #include "records/rock.hpp"
 #include "records/specimen_record.hpp"
 #include "records/variation.hpp"
@@ -15,8 +16,9 @@ namespace phy::report {
 /// What a report says beyond a run, or instead of one.
 struct PageExtras {
   std::string name;                               ///< title; default: that of the run's recipe
-  std::vector<Target> laboratory;                 ///< points beside E(theta), nu(theta), UCS(theta)
-  std::string calibration;                        ///< calibration.json, taken over unchanged; empty: none
+  std::vector<Target> laboratory;                 ///< beside the specimens of a run
+  std::string calibration_json;                   ///< taken over unchanged; empty: none
+  std::optional<Calibration> calibration;         ///< what figures need of the same
   std::optional<Variation> variation;             ///< of a study
   std::vector<std::vector<std::string>> effects;  ///< of a study: effects.csv with its header
   std::string recipe;                             ///< of a study or calibration; default: that of the run

@@ -93,8 +93,8 @@ void draw_specimen(Canvas& canvas, const SpecimenRecord& test, const SpecimenVie
     const Vec2 middle = (1.0 - part) * at[c.a] + part * at[c.b];
     const double half = std::max(thinnest, 0.6 * view.scale * c.size);
     const Vec2 along{half * c.normal.y, half * c.normal.x};  // across the normal; y of pixels points down
-    canvas.line(middle.x + along.x, middle.y + along.y, middle.x - along.x, middle.y - along.y,
-                std::max(thinnest, 0.25 * view.scale * c.size), crack_colors[crack_kind(c)]);
+    canvas.line(middle + along, middle - along, std::max(thinnest, 0.25 * view.scale * c.size),
+                crack_colors[crack_kind(c)]);
   }
 }
 

@@ -7,11 +7,19 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
+#include "report/palette.hpp"
 
 namespace phy::report {
 namespace {
 
 constexpr int axis_columns = 8;  // characters for the numbers of the y axis, its line included
+
+/// Characters of a text in UTF-8.
+int length_of(const std::string& text) {
+  return static_cast<int>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
 
 /// Two dots by four per character, and the colour of the curve that came last.
 class Dots {
@@ -32,18 +40,29 @@ class Dots {
     cell.dots |= bits[static_cast<std::size_t>(line)][static_cast<std::size_t>(x % 2)];
     cell.color = color;
   }
+  /// Characters in place of dots, about a dot.
+  void write(int x, int y, const std::string& text, Color color) {
+    const int row = std::clamp(rows_ - 1 - y / 4, 0, rows_ - 1), length = length_of(text);
+    int column = std::clamp(x / 2 - length / 2, 0, std::max(0, columns_ - length));
+    for (std::size_t i = 0; i < text.size() && column < columns_; ++column) {
+      const std::size_t n = std::max<std::size_t>(1, utf8_length(std::string_view(text).substr(i)));
+      cells_[index(row, column)] = {0, color, text.substr(i, n)};
+      i += n;
+    }
+  }
   /// One line of text; U+2800 + dots in UTF-8.
   std::string line(int row, bool colored) const {
     std::string text;
     for (int i = 0; i < columns_; ++i) {
       const Cell& cell = cells_[index(row, i)];
-      if (cell.dots == 0) {
+      if (cell.dots == 0 && cell.letter.empty()) {
         text += ' ';
         continue;
       }
       const std::string dots = {'\xE2', static_cast<char>(0xA0U | cell.dots >> 6U),
                                 static_cast<char>(0x80U | (cell.dots & 63U))};
-      text += colored ? in_color(dots, cell.color) : dots;
+      const std::string& shown = cell.letter.empty() ? dots : cell.letter;
+      text += colored ? in_color(shown, cell.color) : shown;
     }
     return text;
   }
@@ -55,6 +74,7 @@ class Dots {
   struct Cell {
     unsigned dots = 0;
     Color color = 0;
+    std::string letter = {};  ///< in place of the dots
   };
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
@@ -64,66 +84,114 @@ class Dots {
   std::vector<Cell> cells_;
 };
 
-double largest(const std::vector<TerminalCurve>& curves, std::vector<double> TerminalCurve::*values) {
-  double most = 0.0;
-  for (const TerminalCurve& c : curves)
-    for (const double v : c.*values)
-      if (std::isfinite(v)) most = std::max(most, v);
-  return most;
-}
+/// From values to dots. What lies outside the picture is drawn to its nearest edge: the first stresses of a
+/// test can be a billion times below the axis.
+class Places {
+ public:
+  Places(const Axis& axis, int n) : n_(n), logarithmic_(axis.logarithmic) {
+    low_ = scaled(axis.low), span_ = scaled(axis.high) - low_;
+  }
+  int of(double v) const {
+    const double part = span_ > 0.0 ? (scaled(v) - low_) / span_ : 0.0;
+    return static_cast<int>(std::lround(std::clamp(part * (n_ - 1), -1.0, static_cast<double>(n_))));
+  }
 
-/// What lies outside the picture is drawn to its nearest edge: the first stresses of a test can be a billion
-/// times below the axis.
-void draw(Dots& dots, const TerminalCurve& c, double x_end, double y_end) {
-  const auto at = [](double v, double end, int n) {
-    return static_cast<int>(std::lround(std::clamp(v / end * (n - 1), -1.0, static_cast<double>(n))));
+ private:
+  double scaled(double v) const { return logarithmic_ ? std::log10(v) : v; }
+  int n_;
+  bool logarithmic_;
+  double low_ = 0.0, span_ = 0.0;
+};
+
+/// Draws the series of a panel, in the order in which they come.
+class Pen {
+ public:
+  Pen(Dots& dots, const Panel& panel)
+      : dots_(dots),
+        x_(panel.x, dots.width()),
+        y_(panel.y, dots.height()),
+        right_(panel.right.value_or(panel.y), dots.height()) {}
+
+  void draw(const Series& s) {
+    color_ = screen_color(s.role, s.number, s.shade);
+    const Places& up = s.right ? right_ : y_;
+    for (std::size_t i = 0; i < s.points.size(); ++i) {
+      const Point& p = s.points[i];
+      const Point* before = i == 0 ? nullptr : &s.points[i - 1];
+      if (before != nullptr && (s.mark == Mark::line || s.mark == Mark::area))
+        line({before->x, before->y}, {p.x, p.y}, up);
+      if (before != nullptr && s.mark == Mark::band) line({before->x, before->high}, {p.x, p.high}, up);
+      if (s.mark == Mark::text && known({p.x, p.y})) dots_.write(x_.of(p.x), up.of(p.y), p.text, color_);
+      if (s.mark == Mark::points) cross({p.x, p.y}, up);
+      if (s.mark == Mark::dots) line({p.x, p.y}, {p.x, p.y}, up);
+      if (s.mark == Mark::points || s.mark == Mark::boxes) line({p.x, p.low}, {p.x, p.high}, up);
+    }
+  }
+
+ private:
+  struct Place {
+    double x, y;
   };
-  const auto known = [&](std::size_t i) { return std::isfinite(c.x[i]) && std::isfinite(c.y[i]); };
-  for (std::size_t i = 1; i < c.x.size(); ++i) {
-    if (!known(i - 1) || !known(i)) continue;
-    const int x0 = at(c.x[i - 1], x_end, dots.width()), x1 = at(c.x[i], x_end, dots.width());
-    const int y0 = at(c.y[i - 1], y_end, dots.height()), y1 = at(c.y[i], y_end, dots.height());
+  static bool known(Place p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+  void line(Place a, Place b, const Places& up) {
+    if (!known(a) || !known(b)) return;
+    const int x0 = x_.of(a.x), x1 = x_.of(b.x), y0 = up.of(a.y), y1 = up.of(b.y);
     const int n = std::max({1, std::abs(x1 - x0), std::abs(y1 - y0)});
-    for (int k = 0; k <= n; ++k) dots.put(x0 + (x1 - x0) * k / n, y0 + (y1 - y0) * k / n, c.color);
+    for (int k = 0; k <= n; ++k) dots_.put(x0 + (x1 - x0) * k / n, y0 + (y1 - y0) * k / n, color_);
   }
-}
+  void cross(Place at, const Places& up) {
+    if (!known(at)) return;
+    const int x = x_.of(at.x), y = up.of(at.y);
+    for (const int d : {-1, 0, 1}) dots_.put(x + d, y, color_), dots_.put(x, y + d, color_);
+  }
+  Dots& dots_;
+  Places x_, y_, right_;
+  Color color_ = 0;
+};
 
-/// The line below the axis: the end of x, then the names of the curves as long as there is room.
-std::string legend(const std::vector<TerminalCurve>& curves, const std::string& x, int columns,
-                   bool colored) {
-  std::string text = fmt::format("{:>{}} 0 ... {}", "", axis_columns - 2, x);
-  int used = static_cast<int>(text.size());  // ASCII so far
-  for (const TerminalCurve& c : curves) {
-    const int length = static_cast<int>(c.label.size());
-    if (used + 2 + length > columns) break;
-    text += "  " + (colored ? Dots::in_color(c.label, c.color) : c.label);
-    used += 2 + length;
-  }
-  return text;
+/// The ends of x, what it is, then the names of the series, on as many lines as it takes.
+std::vector<std::string> legend(const Panel& panel, int columns, bool colored) {
+  std::vector<std::string> lines(1);
+  int used = 0;
+  const auto add = [&](const std::string& text, const std::string& shown) {
+    const int length = length_of(text) + 2;
+    if (used > 0 && used + length > columns) lines.emplace_back(), used = 0;
+    if (length > columns) return;
+    lines.back() += "  " + shown, used += length;
+  };
+  const Axis& x = panel.x;
+  const std::string ends = fmt::format("{:.3g} ... {:.3g}", x.low, x.high), below = ends + " " + x.unit;
+  const std::string quantity = x.quantity.empty() ? below : below + "  " + x.quantity;
+  if (panel.framed) add(quantity, quantity);
+  for (const Series* s : named_series({&panel}))
+    add(s->name, colored ? Dots::in_color(s->name, screen_color(s->role, s->number, s->shade)) : s->name);
+  return lines;
 }
 
 }  // namespace
 
-std::vector<std::string> terminal_plot(const std::vector<TerminalCurve>& curves, const std::string& x_unit,
-                                       const std::string& y_unit, int columns, int rows, bool colored) {
-  PHY_CHECK(rows >= 4 && columns >= 30, "room for a plot");
-  const double x_end = largest(curves, &TerminalCurve::x), y_end = largest(curves, &TerminalCurve::y);
-  const int inner = rows - 2;
+std::vector<std::string> terminal_plot(const Panel& panel, int columns, int rows, bool colored) {
+  PHY_CHECK(rows >= 6 && columns >= 30, "room for a plot");
+  std::vector<std::string> names = legend(panel, columns, colored);
+  names.resize(std::min<std::size_t>(names.size(), static_cast<std::size_t>(rows - 5)));
+  const int inner = rows - 2 - static_cast<int>(names.size());
   Dots dots(columns - axis_columns, inner);
-  if (x_end > 0.0 && y_end > 0.0)
-    for (const TerminalCurve& c : curves) draw(dots, c, x_end, y_end);
-  std::vector<std::string> lines;
+  Pen pen(dots, panel);
+  for (const Series& s : panel.series) pen.draw(s);
+  std::string top = panel.title.empty() ? panel.y.label() : panel.y.label() + "  " + panel.title;
+  while (length_of(top) > columns) top.pop_back();
+  std::vector<std::string> lines = {top};
   for (int row = 0; row < inner; ++row) {
-    const std::string number = row == 0           ? fmt::format("{:.4g}", y_end)
-                               : row == 1         ? y_unit
-                               : row == inner - 1 ? "0"
+    const std::string number = !panel.framed      ? ""
+                               : row == 0         ? fmt::format("{:.4g}", panel.y.high)
+                               : row == inner - 1 ? fmt::format("{:.4g}", panel.y.low)
                                                   : "";
     lines.push_back(fmt::format("{:>{}}│{}", number, axis_columns - 1, dots.line(row, colored)));
   }
   std::string axis = fmt::format("{:>{}}└", "", axis_columns - 1);
   for (int i = axis_columns; i < columns; ++i) axis += "─";
   lines.push_back(axis);
-  lines.push_back(legend(curves, fmt::format("{:.3g} {}", x_end, x_unit), columns, colored));
+  lines.insert(lines.end(), names.begin(), names.end());
   return lines;
 }
 

@@ -1,21 +1,23 @@
 // Figures of what varies: the paper's Figs. 4 (macro stiffnesses), 5 (E) and 6 (strength) over its
 // parameters.
 #pragma once
-#include <vector>
-
 #include "records/variation.hpp"
-#include "report/gnuplot.hpp"
+#include "report/figure.hpp"
 
 namespace phy::report {
 
-// All return the height of the figure [mm] for its width.
+/// K_n and K_s over every parameter, divided by its base, from Eq. 1 fitted to E(theta), and what others
+/// found for them. A stiffness that no parameter has gets no panel.
+Figure macro_figure(const Variation& variation);
+/// E and UCS over the inclination, for every value of one parameter; lines: Eq. 1 fitted.
+Figure parameter_figure(const Variation& variation, const VariedParameter& parameter);
 
-/// K_n and K_s over every parameter, divided by its base, from Eq. 1 fitted to E(theta); dashed: what others
-/// found for them.
-double draw_stiffness(GnuplotScript& script, const Variation& variation, double width);
-/// E(theta), one panel per stiffness of the joints and one colour per value; lines: Eq. 1 fitted.
-double draw_modulus(GnuplotScript& script, const Variation& variation, double width);
-/// UCS(theta), one panel per parameter and one colour per value.
-double draw_strength(GnuplotScript& script, const Variation& variation, double width);
+// For print; they throw InputError when the study does not hold what they show.
+
+Figure stiffness_figure(const Variation& variation);
+/// E, a panel per stiffness of the joints.
+Figure modulus_figure(const Variation& variation);
+/// UCS, a panel per parameter.
+Figure strength_figure(const Variation& variation);
 
 }  // namespace phy::report

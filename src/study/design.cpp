@@ -106,6 +106,7 @@ std::vector<Point> saltelli(const Study& study) {
 }
 
 Point on_grid(const Study& study, const std::vector<int>& levels) {
+  // The lowest level is 0, the highest 1.
   std::vector<double> u;
   for (const int level : levels) u.push_back(static_cast<double>(level) / (morris_levels - 1));
   return from_unit(study, u);
@@ -201,6 +202,7 @@ std::vector<Point> points_of(const Study& study) {
     case Design::saltelli: return saltelli(study);
     case Design::list: break;
   }
+  // A list has no base that its points are off.
   std::vector<Point> points;
   for (const auto& row : study.rows) points.push_back({row, -1});
   return points;

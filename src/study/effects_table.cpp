@@ -60,7 +60,7 @@ Headline headline(Design design) {
   }
 }
 
-/// GPa and the like for the terminal.
+/// GPa and the like for the terminal; the CSV files stay in SI units.
 std::pair<double, std::string> readable(const std::string& unit) {
   if (unit == "Pa") return {1e-6, "MPa"};
   if (unit == "Pa/m") return {1e-9, "GPa/m"};
@@ -139,6 +139,7 @@ std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_wi
     return false;
   };
   for (const NamedReading& named : all_readings(plan.study.solver)) {
+    // Thousands of fits in a large study: only those that are printed are made.
     if (*named.title == '\0') continue;
     const JointFits fits = fit_joints(plan, rows, named.reading);
     if (!any(fits.K_n)) continue;
@@ -195,6 +196,7 @@ std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_w
   for (const std::string& name : printed_numbers(plan.study))
     if (const std::vector<Response> of = responses(plan, rows, name); !of.empty())
       text += effect_table(plan, of, terminal_width);
+  // A study of one replicate has no interval, and needs no explanation of one.
   if (text.find("+-") != text.npos)
     text += wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
   return text + wrapped(left_out_text(rows, plan.study.solver), terminal_width);

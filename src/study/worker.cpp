@@ -124,6 +124,7 @@ class Worker {
     }
   }
   void solve_batch(std::size_t batch) {
+    // One after the other: a solution has no lanes, and threads share nothing but the queue.
     while (const std::optional<Job> job = next(batch)) {
       queue_.deliver(job->index, solve_directly(*job->specimen, statics_));
       queue_.count(plan_.tests[job->index].cost);
@@ -195,6 +196,7 @@ WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& mac
 }
 
 WorkReport run_plan(const Plan& plan, const MachineOptions& machine, const Hooks& hooks) {
+  // Nothing is claimed: the tests of a plan in memory are nobody else's.
   PlanQueue queue(plan, hooks, machine.threads);
   return work_at(queue, plan, machine);
 }

@@ -1,25 +1,12 @@
-// What report.html carries: one block of JSON (the results and their histories) and one scene per specimen.
+// What report.html carries: one block of JSON (the results and their figures) and one scene per specimen.
 // src/report/page.cpp writes it; docs/formats.md describes scenes.
+import { Figure, Series, colorOf } from "./figure";
 
 export interface NumberValue {
   value: number | null;
   unit: string;
   definition: string;
   note?: string;
-}
-
-export interface Curve {
-  note: string;
-  theta: number[];
-  value: number[];
-}
-
-export interface LabPoint {
-  property: string;
-  theta: number;
-  mean: number;
-  sd: number;
-  n: number;
 }
 
 /** calibration.json as `phyllite calibrate` writes it (docs/formats.md). */
@@ -77,31 +64,6 @@ export interface Line {
   R2: number | null;
 }
 
-/** Of a study or sweep: a mean with its 95 % interval (null: one value only). */
-export interface Spread {
-  at: number; // inclination in degrees, or parameter / base
-  mean: number;
-  half: number | null;
-}
-
-export interface Parameter {
-  key: string;
-  settings: { text: string; base: boolean; E: Spread[]; ucs: Spread[] }[];
-  K_n: Spread[];
-  K_s: Spread[];
-}
-
-export interface Variation {
-  name: string;
-  parameters: Parameter[];
-}
-
-export interface Rose {
-  bin: number; // width of a bin in degrees
-  tension: number[];
-  shear: number[];
-}
-
 /** What speaks against a test (result.json, "quality"). */
 export interface Quality {
   grade: string; // good, warning, untrusted
@@ -120,9 +82,8 @@ interface RawTest {
     result_hash: string;
   };
   label: string;
-  history: Record<string, string>;
+  end: number;
   cracks: Record<string, string>;
-  rose: Rose;
   bedding: { theta: number; spacing: number; offset: number }[];
   scene: string | null;
 }
@@ -134,23 +95,39 @@ export interface Axes {
   strain_factor: number; // from the recorded value
   stress: string;
   sign: number; // of recorded strains of scenes
-  strength: string; // name of the largest stress among the numbers
-  strength_label: string;
-  quantity: { number: string; label: string; unit: string; factor: number }; // what the test is made for
-  property: string; // of the laboratory
+}
+
+/** A number of the results in the table of a test. */
+export interface Column {
+  head: string;
+  unit: string;
+  number: string;
+  scale: number; // from SI
+  digits: number;
+  made_for: boolean; // what the test is made for
+}
+
+/** null, and of a report without specimens what is of these: nothing to draw. */
+export interface Figures {
+  calibration: Figure | null;
+  study: { macro: Figure; parameters: { key: string; figure: Figure }[] } | null;
+  stress_strain: Figure | null;
+  damage: Figure;
+  anisotropy: Figure;
+  modes: Figure;
+  rose: Figure;
 }
 
 interface RawReport {
   name: string;
   program: string;
   axes: Axes;
+  columns: Column[];
   done: { kind: string; kept: string | null; stress: number }; // test, and the stress [Pa] that it keeps, by its key
   tests: RawTest[];
   missing: { name: string; reason: string }[];
-  curves: { E: Curve; nu: Curve; ucs: Curve };
-  laboratory: LabPoint[];
   calibration: Calibration | null;
-  variations: Variation[];
+  figures: Figures;
   effects: string[][]; // effects.csv of a study, header first; empty: none
   methods: string[];
   recipe: string;
@@ -174,10 +151,8 @@ export interface Test {
   quality: Quality;
   numbers: Record<string, NumberValue>;
   result: RawTest["result"];
-  strain: Float64Array;
-  stress: Float64Array;
+  curve: Series | null; // stress over strain in the units of the axes; null: it was not loaded
   cracks: Cracks;
-  rose: Rose;
   bedding: RawTest["bedding"];
   color: string;
   scene: string | null;
@@ -187,13 +162,6 @@ export interface Test {
 export interface Report extends Omit<RawReport, "tests"> {
   tests: Test[];
 }
-
-export const crackKinds = [
-  { key: "cracks_tension_matrix", label: "matrix, tension", variable: "--crack-0" },
-  { key: "cracks_shear_matrix", label: "matrix, shear", variable: "--crack-1" },
-  { key: "cracks_tension_bedding", label: "bedding, tension", variable: "--crack-2" },
-  { key: "cracks_shear_bedding", label: "bedding, shear", variable: "--crack-3" },
-];
 
 function bytes(base64: string): Uint8Array {
   const known = Uint8Array as unknown as { fromBase64?: (text: string) => Uint8Array };
@@ -208,31 +176,20 @@ const f64 = (s: string) => new Float64Array(bytes(s).buffer as ArrayBuffer);
 const f32 = (s: string) => new Float32Array(bytes(s).buffer as ArrayBuffer);
 const u32 = (s: string) => new Uint32Array(bytes(s).buffer as ArrayBuffer);
 
-const intact = "var(--intact)";
-const ordered = ["#4f6bd8", "#2b93cf", "#12a594", "#5aa343", "#b0920f", "#e0762a", "#d1466f"];
-
-/** One colour per inclination, from blue (0°) to red (90°); intact rock is grey. */
-function colorOf(theta: number | null): string {
-  if (theta === null) return intact;
-  const at = (Math.min(90, Math.max(0, theta > 90 ? 180 - theta : theta)) / 90) * (ordered.length - 1);
-  return ordered[Math.round(at)];
-}
-
 export function readReport(): Report {
   const raw = JSON.parse(document.getElementById("report-data")!.textContent!) as RawReport;
-  const tests = raw.tests.map((t): Test => {
-    const theta = t.result["theta [deg]"] ?? null;
-    const strain = f64(t.history.strain);
+  const curves = raw.figures.stress_strain?.panels[0].series.filter((s) => s.mark === "line") ?? [];
+  const tests = raw.tests.map((t, i): Test => {
+    const curve = curves.find((s) => s.item === i) ?? null;
     return {
       name: t.result.specimen,
       label: t.label,
-      theta,
+      theta: t.result["theta [deg]"] ?? null,
       outcome: t.result.outcome,
       quality: t.result.quality,
       numbers: t.result.numbers,
       result: t.result,
-      strain,
-      stress: f64(t.history.stress),
+      curve,
       cracks: {
         strain: f64(t.cracks.strain),
         a: u32(t.cracks.a),
@@ -242,11 +199,10 @@ export function readReport(): Report {
         normal_y: f32(t.cracks.normal_y),
         size: f32(t.cracks.size),
       },
-      rose: t.rose,
       bedding: t.bedding,
-      color: colorOf(theta),
+      color: curve ? colorOf(curve) : "var(--intact)",
       scene: t.scene,
-      end: strain.length > 0 ? strain[strain.length - 1] : 0,
+      end: t.end,
     };
   });
   return { ...raw, tests };

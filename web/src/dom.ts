@@ -30,7 +30,7 @@ export function check(id: string, on: boolean, onChange: (on: boolean) => void):
 export const fold = (title: string, ...children: Child[]) => h("details", {}, h("summary", {}, title), ...children);
 
 /** In a box of its own that scrolls where the page is narrow. */
-export function table(label: string, heads: string[], rows: Child[][], caption: string | null = null, words: number[] = []): HTMLElement {
+export function table(label: string, heads: Child[], rows: Child[][], caption: string | null = null, words: number[] = []): HTMLElement {
   const of = (i: number): Record<string, string> => (words.includes(i) ? { class: "words" } : {});
   return h(
     "div",
@@ -40,7 +40,7 @@ export function table(label: string, heads: string[], rows: Child[][], caption: 
       {},
       caption && h("caption", {}, caption),
       h("thead", {}, h("tr", {}, ...heads.map((x, i) => h("th", { scope: "col", ...of(i) }, x)))),
-      h("tbody", {}, ...rows.map((r) => h("tr", {}, h("th", { scope: "row" }, r[0]), ...r.slice(1).map((x, i) => h("td", of(i + 1), x))))),
+      h("tbody", {}, ...rows.map((r) => h("tr", {}, h("th", { scope: "row" }, r[0]), ...r.slice(1).map((x, i) => (x instanceof HTMLTableCellElement ? x : h("td", of(i + 1), x)))))),
     ),
   );
 }
@@ -55,13 +55,14 @@ export function copyButton(text: string | (() => string)): HTMLElement {
   return b;
 }
 
-export interface Figure {
+/** A place on the page in which something is drawn. */
+export interface Chart {
   node: HTMLElement;
   place: HTMLElement; // of the chart
   redraw(always?: boolean): void; // where its width has changed
 }
 
-export function figure(label: string, caption: Child, draw: (width: number, place: HTMLElement) => Node): Figure {
+export function figure(label: string, caption: Child, draw: (width: number, place: HTMLElement) => Node): Chart {
   const place = h("div", { class: "plot" });
   let drawn = 0;
   const redraw = (always = false) => {

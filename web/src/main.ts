@@ -1,7 +1,7 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
-import { damage, comparison, peakLabel, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
-import { Calibration, Comparison, Estimate, Line, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
-import { Child, Figure, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
+import { Calibration, Comparison, Estimate, Column, Line, Report, Test, lastUpTo, readReport } from "./data";
+import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
+import { Drawn, Figure, Panel, axisLabel, draw, legend } from "./figure";
 import { friendly, scales } from "./units";
 import { Field, Viewer, headHeight, ramps } from "./viewer";
 
@@ -17,7 +17,7 @@ function section(id: string, title: string, ...children: Child[]): HTMLElement {
 }
 
 /** Charts that are drawn anew when their place changes its width. */
-const charts: Figure[] = [];
+const charts: Chart[] = [];
 const observer = new ResizeObserver(() => opened && redraw());
 let opened = false; // the charts below the first come one by one, after the page has opened
 
@@ -41,13 +41,13 @@ function chart(label: string, caption: Child, draw: (width: number, place: HTMLE
   return made.node;
 }
 
-function heading(t: Test): string {
-  return t.theta === null ? "intact" : `θ = ${t.label}`;
-}
+const heading = (p: Panel) => [p.framed && axisLabel(p.y), p.title].filter(Boolean).join(", ").replace(/^[a-z](?=[a-z])/, (letter) => letter.toUpperCase());
 
-function crackLegend(): HTMLElement {
-  return h("ul", { class: "legend" }, ...crackKinds.map((k) => h("li", {}, h("i", { style: `background: var(${k.variable})` }), k.label)));
-}
+/** A panel of a figure, under its own heading. */
+const panelChart = (figure: Figure, p: Panel): HTMLElement => chart(heading(p), p.caption || null, (width) => draw(p, width, { aspect: figure.aspect, bare: p.framed }).node);
+
+/** All panels of a figure, and what their signs mean. */
+const grid = (figure: Figure, style = "grid small", panels = figure.panels): HTMLElement => h("div", { class: style }, ...panels.map((p) => panelChart(figure, p)));
 
 // --- what is missing ----------------------------------------------------------------------------------------
 
@@ -86,16 +86,24 @@ let viewer: Viewer | null = null;
 const longest = Math.max(1e-9, ...report.tests.map((t) => t.end));
 const strainsNow = () => report.tests.map((t) => Math.min(t.end, position * (equalStrain ? longest : t.end)));
 
-let overview: LinkedChart | null = null;
-let overviewPlace: HTMLElement | null = null;
+let overview: Drawn | null = null;
 const dots: HTMLElement[] = [];
-const multiples: { chart: LinkedChart; dot: HTMLElement; test: number }[] = [];
+const multiples: { chart: Drawn; dot: HTMLElement; test: number }[] = [];
 const feet: HTMLElement[] = [];
 const slider = h("input", { type: "range", min: "0", max: "1000", value: "1000", step: "1", id: "slider", "aria-label": "Position in the test" });
 const readout = h("output", { for: "slider" });
 
-function setDot(dot: HTMLElement, c: LinkedChart, t: Test, strain: number) {
-  const [x, y] = [c.x(report.axes.strain_factor * strain), c.y(1e-6 * stressAt(t, strain))];
+/** Stress of a test at a strain, straight between the points of its curve [MPa]. */
+function stressAt(t: Test, strain: number): number {
+  const [x, y] = [t.curve?.x ?? [], (t.curve?.y ?? []) as number[]];
+  const at = report.axes.strain_factor * strain;
+  const i = lastUpTo(x, at);
+  if (i < 0 || i + 1 >= x.length) return y[Math.max(0, i)] ?? 0;
+  return y[i] + ((at - x[i]) / (x[i + 1] - x[i] || 1)) * (y[i + 1] - y[i]);
+}
+
+function setDot(dot: HTMLElement, c: Drawn, t: Test, strain: number) {
+  const [x, y] = [c.x(report.axes.strain_factor * strain), c.y(stressAt(t, strain))];
   dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
 }
 
@@ -107,7 +115,7 @@ function update() {
     if (overview && dots[i]) setDot(dots[i], overview, t, strains[i]);
     if (feet[i]) {
       const cracks = lastUpTo(t.cracks.strain, strains[i]) + 1;
-      feet[i].textContent = `${(1e-6 * stressAt(t, strains[i])).toFixed(1)} MPa\n${cracks} cracks`;
+      feet[i].textContent = `${stressAt(t, strains[i]).toFixed(1)} MPa\n${cracks} cracks`;
     }
   });
   for (const m of multiples) setDot(m.dot, m.chart, report.tests[m.test], strains[m.test]);
@@ -286,7 +294,7 @@ function pointing(v: Viewer) {
 function specimens() {
   const canvas = h("canvas", { id: "view", tabindex: "0", role: "img", "aria-label": "Specimens. Plus and minus zoom, arrows pan, comma and full stop move through the test." });
   const overlay = h("div", { class: "cells" });
-  const legend = h("span", { class: "legend" });
+  const field = h("span", { class: "legend" });
   const place = h("div", { class: "viewer" }, canvas, overlay);
   const mode = choice(
     [["strain", `at equal ${report.axes.strain}`], ["part", "at equal part of each test"]],
@@ -321,7 +329,7 @@ function specimens() {
         const foot = h("div", { class: "foot", style: at(cell.top + cell.height) });
         feet[cell.test] = foot;
         const absent = viewer!.absent(cell.test);
-        overlay.append(h("div", { class: "head", style: `${at(cell.top - headHeight)};color:${t.color}` }, heading(t)), foot);
+        overlay.append(h("div", { class: "head", style: `${at(cell.top - headHeight)};color:${t.color}` }, t.theta === null ? t.label : `θ = ${t.label}`), foot);
         if (absent) overlay.append(h("div", { class: "absent", style: at(cell.top + 0.45 * cell.height) }, absent));
       }
       update();
@@ -330,163 +338,94 @@ function specimens() {
     place.replaceWith(h("p", { class: "notice" }, `The specimens cannot be drawn: ${(error as Error).message}.`));
     return;
   }
-  target.append(viewControls(viewer, legend), legend, crackLegend());
+  target.append(viewControls(viewer, field), field, legend(report.figures.modes.panels));
   pointing(viewer);
   new ResizeObserver(() => viewer!.layout()).observe(place);
 }
 
 // --- charts --------------------------------------------------------------------------------------------------
 
+/** A dot on a chart that follows the slider. */
+function cursor(place: HTMLElement, color: string): HTMLElement {
+  const dot = h("i", { class: "cursor", style: `background:${color}` });
+  place.append(dot);
+  return dot;
+}
+
 function curves() {
-  const legend = h(
-    "ul",
-    { class: "legend" },
-    ...report.tests.map((t, i) => {
-      const b = h("button", { type: "button", "data-test": String(i), "aria-pressed": "false" }, h("i", { style: `background:${t.color}` }), t.label);
-      b.addEventListener("click", () => select(i));
-      return h("li", {}, b);
-    }),
-    h("li", {}, `▲ σci  ■ σcd  ★ ${peakLabel(report.axes)}`),
-  );
-  const all = chart(`${report.axes.stress[0].toUpperCase()}${report.axes.stress.slice(1)} and ${report.axes.strain}`, "Dots follow the slider.", (width, place) => {
-    overviewPlace = place;
-    overview = stressStrain(report, width, selected);
-    if (dots.length === 0)
-      report.tests.forEach((t) => {
-        const dot = h("i", { class: "cursor", style: `background:${t.color}` });
-        dots.push(dot);
-        place.append(dot);
-      });
+  const { stress_strain: all, damage } = report.figures;
+  const panel = all!.panels[0];
+  const title = `${panel.y.quantity[0].toUpperCase()}${panel.y.quantity.slice(1)} and ${panel.x.quantity}`;
+  const together = chart(title, "Dots follow the slider.", (width, place) => {
+    overview = draw(panel, width, { aspect: all!.aspect, selected });
+    if (dots.length === 0) report.tests.forEach((t) => dots.push(cursor(place, t.color)));
     return overview.node;
   });
-  const grid = h("div", { class: "grid small" });
-  report.tests.forEach((t, i) => {
-    const entry: { chart: LinkedChart | null; dot: HTMLElement } = { chart: null, dot: h("i", { class: "cursor", style: "background:var(--ink)" }) };
-    grid.append(
-      chart(heading(t), null, (width, place) => {
-        const linked = damage(t, report.axes, width);
-        if (!entry.chart) place.append(entry.dot);
-        const known = multiples.find((m) => m.test === i);
-        if (known) known.chart = linked;
-        else multiples.push({ chart: linked, dot: entry.dot, test: i });
-        entry.chart = linked;
-        return linked.node;
-      }),
-    );
-  });
-  section("curves", "Curves", legend, all, h("h3", {}, "Damage: stress (line, left) and cracks by kind (areas, right)"), crackLegend(), grid);
+  const each = damage.panels.map((p, test) =>
+    chart(p.title, null, (width, place) => {
+      const drawn = draw(p, width, { aspect: damage.aspect });
+      const known = multiples.find((m) => m.test === test);
+      if (known) known.chart = drawn;
+      else multiples.push({ chart: drawn, dot: cursor(place, "var(--ink)"), test });
+      return drawn.node;
+    }),
+  );
+  section("curves", "Curves", legend([panel], select), together, h("h3", {}, "Damage: stress (line, left) and cracks by kind (areas, right)"), legend(damage.panels), h("div", { class: "grid small" }, ...each));
 }
 
 function anisotropy() {
-  const c = report.curves;
-  const legend = h(
-    "ul",
-    { class: "legend" },
-    h("li", {}, h("i", { style: "background:var(--muted);border-radius:50%" }), "model"),
-    h("li", {}, h("i", { class: "line", style: "color:var(--theory)" }), "theory"),
-    report.laboratory.length > 0 && h("li", {}, "◇ laboratory, 95 % interval of the mean"),
-  );
-  const x = report.axes;
-  const made_for = x.quantity;
-  const one = (name: string, label: string, title: string, factor: number, curve: Report["curves"]["E"], property: string) =>
-    report.tests.some((t) => t.numbers[name]) && chart(title, curve.note, (width) => overAngle(report, width, { name, label, factor, curve, property }));
+  const { anisotropy: over, modes } = report.figures;
   section(
     "anisotropy",
     "Anisotropy",
-    legend,
-    h(
-      "div",
-      { class: "grid four" },
-      one("E_tangent", "E [GPa]", "Young’s modulus, tangent at 50 %", 1e-9, c.E, x.strength === "ucs" ? "E" : ""),
-      one(made_for.number, `${made_for.label} [${made_for.unit}]`, x.strength === "ucs" ? "Uniaxial compressive strength" : made_for.label[0].toUpperCase() + made_for.label.slice(1), made_for.factor, x.strength === "ucs" ? c.ucs : { note: "", theta: [], value: [] }, x.property),
-      one("nu", "ν", "Poisson’s ratio", 1, c.nu, x.strength === "ucs" ? "nu" : ""),
-      chart("Failure mode: share of broken bonds and joints", crackLegend(), (width) => modeShare(report, width)),
-    ),
+    legend(over.panels),
+    h("div", { class: "grid four" }, ...over.panels.map((p) => panelChart(over, p)), chart("Failure mode: share of broken bonds and joints", legend(modes.panels), (width) => draw(modes.panels[0], width, modes).node)),
   );
 }
 
 function roses() {
-  const grid = h("div", { class: "grid roses" });
-  for (const t of report.tests)
-    grid.append(h("figure", {}, h("h3", {}, heading(t)), rose(t) as unknown as Node, h("figcaption", {}, `${t.cracks.strain.length} cracks`)));
+  const { rose } = report.figures;
   section(
     "roses",
     "Directions of cracks",
     h("p", { class: "muted" }, "Directions of the broken bonds and joints of the whole test; the load acts along 90°. The area of a petal is proportional to the number of cracks; the dashed line is the bedding."),
-    h("ul", { class: "legend" }, h("li", {}, h("i", { style: "background:var(--crack-0)" }), "tension"), h("li", {}, h("i", { style: "background:var(--crack-1)" }), "shear"), h("li", {}, h("i", { class: "line" }), "bedding")),
-    grid,
+    legend(rose.panels),
+    grid(rose, "grid roses"),
   );
 }
 
 // --- tables --------------------------------------------------------------------------------------------------
 
-interface Column {
-  name: string;
-  head: string;
-  unit: string;
-  factor: number;
-  digits: number;
-}
-
-const columns: Column[] = [
-  { name: "E_tangent", head: "E tangent", unit: "GPa", factor: 1e-9, digits: 2 },
-  { name: "E_secant", head: "E secant", unit: "GPa", factor: 1e-9, digits: 2 },
-  { name: "nu", head: "ν", unit: "", factor: 1, digits: 3 },
-  { name: report.axes.quantity.number, head: report.axes.quantity.label, unit: report.axes.quantity.unit, factor: report.axes.quantity.factor, digits: report.axes.strength === "ucs" ? 2 : 3 },
-  { name: "peak_strain", head: `${report.axes.strain} at peak`, unit: report.axes.strain_unit, factor: report.axes.strain_factor, digits: 4 },
-  { name: "sigma_ci", head: "σci", unit: "MPa", factor: 1e-6, digits: 2 },
-  { name: "sigma_cd", head: "σcd", unit: "MPa", factor: 1e-6, digits: 2 },
-  ...crackKinds.map((k) => ({ name: k.key, head: k.label, unit: "cracks", factor: 1, digits: 0 })),
-  { name: "energy_error", head: "energy error", unit: "", factor: 1, digits: 5 },
-];
-
+/** What the table on a terminal has, too: "<" and "*" as there. */
 function cell(t: Test, c: Column): HTMLElement {
-  const n = t.numbers[c.name];
+  const n = t.numbers[c.number];
   const known = n && n.value !== null;
   const bound = known && n.note?.startsWith("below") ? "<" : "";
-  const doubted = t.quality.marks.find((m) => m.of?.includes(c.name));
-  const reservation = known && !bound && (doubted || (n.note && (c.name === "bts" || c.name === "sigma_t"))) ? "*" : "";
-  const td = h("td", { "data-number": c.name }, known ? bound + (n.value! * c.factor).toFixed(c.digits) + reservation : "–");
+  const doubted = t.quality.marks.find((m) => m.of?.includes(c.number));
+  const reservation = known && !bound && (doubted || (n.note && c.made_for)) ? "*" : "";
+  const td = h("td", { "data-number": c.number, "data-specimen": t.name }, known ? bound + (n.value! * c.scale).toFixed(c.digits) + reservation : "–");
   if (n?.note || doubted) td.title = n?.note || doubted!.says;
   return td;
 }
 
 function numberTable(): HTMLElement {
-  const used = columns.filter((c) => report.tests.some((t) => t.numbers[c.name]));
-  return h(
-    "div",
-    { class: "scroll", tabindex: "0", role: "region", "aria-label": "Table of results" },
-    h(
-      "table",
-      { id: "numbers" },
-      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "specimen"), ...used.map((c) => h("th", { scope: "col" }, c.head, h("small", {}, c.unit))), h("th", { scope: "col", class: "words" }, "outcome"), h("th", { scope: "col", class: "words" }, "quality"))),
-      h(
-        "tbody",
-        {},
-        ...report.tests.map((t) => h("tr", { "data-specimen": t.name }, h("th", { scope: "row" }, t.label), ...used.map((c) => cell(t, c)), h("td", { class: "words" }, t.outcome.status), h("td", { class: "words" }, t.quality.grade))),
-        ...report.missing.map((m) => h("tr", {}, h("th", { scope: "row" }, m.name), h("td", { class: "words", colspan: String(used.length + 2) }, "missing"))),
-      ),
-    ),
-  );
+  const used = report.columns.filter((c) => report.tests.some((t) => t.numbers[c.number]));
+  const n = used.length;
+  const rows: Child[][] = report.tests.map((t) => [t.label, ...used.map((c) => cell(t, c)), t.outcome.status, t.quality.grade]);
+  const missing = report.missing.map((m): Child[] => [m.name, ...used.map(() => "–"), "missing", ""]);
+  const made = table("Table of results", ["specimen", ...used.map((c) => h("span", {}, c.head, h("small", {}, c.unit))), "outcome", "quality"], [...rows, ...missing], null, [n + 1, n + 2]);
+  made.querySelector("table")!.id = "numbers";
+  return made;
 }
 
 /** Every number of result.json with all its digits. */
 function everyNumber(): HTMLElement {
   const names = [...new Set(report.tests.flatMap((t) => Object.keys(t.numbers)))];
-  const of = (name: string) => report.tests.find((t) => t.numbers[name])!.numbers[name];
-  const table = h(
-    "table",
-    {},
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "number"), h("th", { scope: "col" }, "unit"), ...report.tests.map((t) => h("th", { scope: "col" }, t.label)), h("th", { scope: "col", class: "words" }, "definition"))),
-    h(
-      "tbody",
-      {},
-      ...names.map((name) =>
-        h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, of(name).unit), ...report.tests.map((t) => h("td", {}, t.numbers[name]?.value === null || !t.numbers[name] ? "–" : t.numbers[name].value!.toPrecision(5))), h("td", { class: "words" }, of(name).definition)),
-      ),
-    ),
-  );
-  return h("details", {}, h("summary", {}, `All ${names.length} numbers with their definitions`), h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "All numbers" }, table));
+  const row = (name: string) => {
+    const { unit, definition } = report.tests.find((t) => t.numbers[name])!.numbers[name];
+    return [name, unit, ...report.tests.map((t) => t.numbers[name]?.value?.toPrecision(5) ?? "–"), definition];
+  };
+  return fold(`All ${names.length} numbers with their definitions`, table("All numbers", ["number", "unit", ...report.tests.map((t) => t.label), "definition"], names.map(row), null, [report.tests.length + 2]));
 }
 
 function tables() {
@@ -575,33 +514,6 @@ function parameterTables(c: Calibration): Child[] {
   return (c.tables ?? []).map((t) => table(t.head, [t.head, c.method === "sequence" ? "value" : "value [95 % interval]"], t.rows, t.title || null));
 }
 
-function compared(c: Calibration, test: string): HTMLElement {
-  const of = (rows: Comparison[]) => rows.filter((r) => testOf(r) === test);
-  const { property: p } = of(c.fitted)[0];
-  const [factor, label] = scales[p] ?? [1, p];
-  const none = { note: "", theta: [], value: [] };
-  const confined = !!of(c.fitted)[0]["confining [Pa]"];
-  const curve = confined ? none : p === "E" ? report.curves.E : p === "UCS" ? report.curves.ucs : none;
-  const data = { rows: of(judged(c)), fitted: of(c.fitted), leftOut: of(c.left_out), curve };
-  const note = data.rows.length > 1 ? curve.note : null; // rock without layers has one angle
-  return chart(label + particulars(data.fitted[0]), note, (width) => comparison(data, factor, label, width));
-}
-
-/** What the charts of a calibration hold: not every table has single specimens, nor every one a curve of theory. */
-function calibrationLegend(c: Calibration): HTMLElement {
-  const mark = (sign: string, color: string, text: string) => h("li", {}, h("span", { style: `color:${color}`, "aria-hidden": "true" }, sign), text);
-  return h(
-    "ul",
-    { class: "legend" },
-    c.fitted.some((r) => (r.laboratory.specimens ?? []).length > 0) && mark("•", "var(--ink)", "specimens"),
-    mark("◇", "var(--ink)", "laboratory, mean and its 95 %"),
-    mark("━●━", "var(--accent)", "model"),
-    h("li", {}, h("i", { style: "background:color-mix(in srgb, var(--accent) 25%, var(--surface))" }), c.method === "sequence" ? "model ± standard deviation of the packings" : "95 % of the rock's value by the fit"),
-    c.left_out.length > 0 && mark("×", "var(--pull)", "model, predicted without it"),
-    report.curves.E.theta.length + report.curves.ucs.theta.length > 0 && h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "Goodman, Jaeger"),
-  );
-}
-
 function whatIsDetermined(c: Calibration): HTMLElement {
   return table(
     "Parameters",
@@ -623,15 +535,17 @@ function eq2Table(lines: NonNullable<Calibration["eq2"]>): HTMLElement {
 function calibration() {
   const c = report.calibration;
   if (!c) return;
-  const tests = [...new Set(c.fitted.map(testOf))];
-  const ofNu = (test: string) => test === "nu" || test.startsWith("nu,"); // under a stress
+  const figure = report.figures.calibration!;
+  const drawn = (aside: boolean) => {
+    const panels = figure.panels.filter((p) => p.aside === aside);
+    return panels.length > 0 ? [grid(figure, "grid small", panels), legend(panels)] : [];
+  };
   const lines = (c.verdict.summary ?? c.verdict.findings).filter((f) => f.length <= 160).slice(0, 10); // the rest is folded
   section(
     "calibration",
     "Calibration",
     h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence || `${c.rock}: ${c.verdict.status}`)),
-    h("div", { class: "grid small" }, ...tests.filter((t) => !ofNu(t)).map((t) => compared(c, t))),
-    calibrationLegend(c),
+    ...drawn(false),
     h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), cost(c))),
     lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
     fold(`All findings (${c.verdict.findings.length}) and notes (${c.notes.length})`, ...c.verdict.findings.map((f) => h("p", {}, f)), ...c.notes.map((n) => h("p", { class: "muted" }, n))),
@@ -644,7 +558,7 @@ function calibration() {
       ),
     fold(
       "Every cell",
-      h("div", { class: "grid small" }, ...tests.filter(ofNu).map((t) => compared(c, t))),
+      ...drawn(true),
       comparisonTable(c.fitted, "On the packings of the fit"),
       comparisonTable(c.verification, "On packings that the fit has not seen"),
       comparisonTable(c.tangent_from_test ?? [], "E and ν at 40 – 60 % of UCS: those on unseen packings with what tests there make of them; above: at small strain"),
@@ -655,42 +569,17 @@ function calibration() {
 
 // --- studies -------------------------------------------------------------------------------------------------
 
-const shades = ["#c98f00", "#d0601b", "#b8384a", "#9a3a83", "#6b4bb5", "#3e63c8", "#2a86b8"];
-
-function settingsOf(p: Parameter, what: "E" | "ucs"): Series[] {
-  const last = Math.max(1, p.settings.length - 1);
-  return p.settings.map((s, i) => ({ name: s.text, color: shades[Math.round((6 * i) / last)], bold: s.base, points: s[what] })).filter((s) => s.points.length > 0);
-}
-
-function settingsTable(p: Parameter): HTMLElement {
-  const columns = (["E", "ucs"] as const).flatMap((what) => [...new Set(p.settings.flatMap((s) => s[what].map((v) => v.at)))].sort((a, b) => a - b).map((at) => ({ what, at })));
-  const head = (c: { what: "E" | "ucs"; at: number }) => `${c.what === "E" ? "E [GPa]" : "UCS [MPa]"} ${c.at}°`;
-  const rows = p.settings.map((s) => [
-    s.text + (s.base ? " (base)" : ""),
-    ...columns.map((c) => {
-      const v = s[c.what].find((x) => x.at === c.at);
-      const scale = c.what === "E" ? 1e-9 : 1e-6;
-      return v ? (v.mean * scale).toFixed(2) + (v.half === null ? "" : ` ± ${(v.half * scale).toFixed(2)}`) : "–";
-    }),
-  ]);
-  return table(p.key, [p.key, ...columns.map(head)], rows);
-}
-
-function parameterCharts(p: Parameter): Child[] {
-  const [E, ucs] = [settingsOf(p, "E"), settingsOf(p, "ucs")];
-  const legend = h("ul", { class: "legend" }, ...(ucs.length > 0 ? ucs : E).map((s) => h("li", {}, h("i", { style: `background:${s.color}` }), s.name + (s.bold ? " (base)" : ""))));
-  const x = "inclination of bedding θ [°]";
-  return [
-    h("h3", {}, p.key),
-    legend,
-    h(
-      "div",
-      { class: "grid" },
-      E.length > 0 && chart(`E for values of ${p.key}`, null, (width) => seriesChart(E, 1e-9, { x, y: "E [GPa]" }, width)),
-      ucs.length > 0 && chart(`UCS for values of ${p.key}`, null, (width) => seriesChart(ucs, 1e-6, { x, y: "UCS [MPa]" }, width)),
-    ),
-    h("details", {}, h("summary", {}, "Numbers"), settingsTable(p)),
-  ];
+/** Means as they are drawn, the places across. */
+function meansTable(key: string, panels: Panel[]): HTMLElement {
+  const means = (p: Panel) => p.series.filter((s) => s.name && s.mark === "points");
+  const columns = panels.flatMap((p) => [...new Set(means(p).flatMap((s) => s.x))].sort((a, b) => a - b).map((at) => ({ p, at })));
+  const names = [...new Set(panels.flatMap(means).map((s) => s.name))];
+  const cell = (name: string, { p, at }: (typeof columns)[number]) => {
+    const s = means(p).find((s) => s.name === name);
+    const i = s ? s.x.indexOf(at) : -1;
+    return i < 0 ? "–" : [s!.y[i]!.toFixed(2), s!.text[i]].filter(Boolean).join(" ");
+  };
+  return table(key, [panels[0]?.title ?? key, ...columns.map(({ p, at }) => `${axisLabel(p.y)} ${at}${p.x.unit}`)], names.map((name) => [name, ...columns.map((c) => cell(name, c))]));
 }
 
 /** effects.csv as it stands, numbers shortened. */
@@ -702,15 +591,16 @@ function effects() {
 }
 
 function studies() {
-  report.variations.forEach((v, i) => {
-    const macro = (what: "K_n" | "K_s") => v.parameters.map((p, k): Series => ({ name: p.key, color: `var(--line-${k % 6})`, bold: false, points: p[what] })).filter((s) => s.points.length > 0);
-    const one = (what: "K_n" | "K_s", name: string) => chart(`Macro ${name} stiffness ${what}, by Eq. 1`, null, (width) => seriesChart(macro(what), 1e-9, { x: "parameter / base", y: `${what} [GPa/m]` }, width));
-    const parts: Child[] =
-      macro("K_n").length === 0
-        ? []
-        : [h("ul", { class: "legend" }, ...macro("K_n").map((s) => h("li", {}, h("i", { style: `background:${s.color}` }), s.name))), h("div", { class: "grid" }, one("K_n", "normal"), one("K_s", "shear"))];
-    section(`study-${i}`, report.variations.length > 1 ? v.name : "What the parameters do", h("p", { class: "muted" }, "One parameter varies, the others stay at their base (thick). Bars are 95 % intervals over packings and bond seeds, where there are several."), ...parts, ...v.parameters.flatMap(parameterCharts));
-  });
+  const study = report.figures.study;
+  if (!study) return;
+  const { macro, parameters } = study;
+  section(
+    "study-0",
+    "What the parameters do",
+    h("p", { class: "muted" }, "One parameter varies, the others stay at their base (thick). Bars are 95 % intervals over packings and bond seeds, where there are three or more; of two, both values are small points. Lines: Eq. 1 fitted, or guides through the values."),
+    ...(macro.panels.length > 0 ? [legend(macro.panels), grid(macro, "grid")] : []),
+    ...parameters.flatMap(({ key, figure }): Child[] => [h("h3", {}, key), legend(figure.panels), grid(figure, "grid"), fold("Numbers", meansTable(key, figure.panels))]),
+  );
 }
 
 // --- text ----------------------------------------------------------------------------------------------------
@@ -772,7 +662,7 @@ function start() {
   document.getElementById("test")!.textContent = done();
   const n = report.tests.length;
   const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
-  const about = report.calibration ? "calibration" : report.variations.length > 0 ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
+  const about = report.calibration ? "calibration" : report.figures.study ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
   document.getElementById("subtitle")!.textContent = `${about} · ${report.program}`;
   colours();
   main.append(...notices().filter((x): x is HTMLElement => x instanceof HTMLElement));

@@ -15,6 +15,3 @@ export function friendly(value: number | null, unit: string): string {
   const [factor, name] = readable(value, unit);
   return `${(value * factor).toPrecision(4)}${name && ` ${name}`}`;
 }
-
-/** "UCS [MPa]" is of the unit MPa. */
-export const unitOf = (label: string) => label.match(/\[(.+)\]$/)?.[1] ?? "";

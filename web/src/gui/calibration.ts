@@ -1,5 +1,6 @@
 // A calibration: started, watched, stopped, gone on with, read.
 import { Child, fold, h } from "../dom";
+import { draw } from "../figure";
 import { Reach, growing, narrowing, reached } from "./charts";
 import { bar, clock, duration } from "./clock";
 import { argument, attempt, button, command, counted, fileFold, fileLink, keyed, objections, stopper, worded } from "./controls";
@@ -52,10 +53,10 @@ function watch() {
       left.textContent = running ? `, ${known}.` : `It took ${duration(p.seconds)}.`;
       const now = running ? p.pressed : null;
       const axes = now && reached(now, reach);
-      press.show(now ? [{ name: "In the press now", caption: [now.test.replaceAll("_", " "), now.specimen ?? (now.theta == null ? null : `θ = ${now.theta}°`)].filter(Boolean).join(", "), shown: [now, axes], draw: (width) => growing(now, axes!, width) }] : []);
+      press.show(now ? [{ name: "In the press now", caption: [now.test.replaceAll("_", " "), now.specimen ?? (now.theta == null ? null : `θ = ${now.theta}°`)].filter(Boolean).join(", "), shown: [now, axes], draw: (width) => draw(growing(now, axes!), width).node }] : []);
       const some = p.parameters.filter((x) => x.steps.length > 0);
       heading.hidden = some.length === 0;
-      parameters.show(some.map((x) => ({ name: x.symbol, shown: x, draw: (width) => narrowing(x, width) })));
+      parameters.show(some.map((x) => ({ name: x.symbol, shown: x, draw: (width) => draw(narrowing(x), width, { aspect: 0.4 }).node })));
     },
   };
 }

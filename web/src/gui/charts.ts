@@ -1,61 +1,24 @@
-// Charts of the page to work in: what the laboratory measured, how a calibration goes.
-import * as Plot from "@observablehq/plot";
-import { angles, base, inclination, panel } from "../charts";
+// Figures of what is under way: how a calibration narrows its parameters, what is in the press.
+import { Panel, axis, series } from "../figure";
 import { readable } from "../units";
-import { Curve, Narrowing, Pressed, Target } from "./server";
+import { Narrowing, Pressed } from "./server";
 
-type Drawn = SVGSVGElement | HTMLElement;
-
-/** Means of the laboratory with their 95 %, single specimens, and theory through them. */
-export function measured(targets: Target[], curve: Curve | undefined, factor: number, unit: string, width: number): Drawn {
-  const points = targets.map((t) => ({ theta: t.theta, value: t.mean * factor, low: t.low * factor, high: t.high * factor, n: t.n }));
-  const single = targets.flatMap((t) => (t.specimens ?? []).map((v) => ({ theta: t.theta, value: v * factor })));
-  const theory = (curve?.theta ?? []).map((theta, i) => ({ theta, value: curve!.value[i] * factor }));
-  return Plot.plot({
-    ...panel(width),
-    marginTop: 12,
-    x: { ...inclination, domain: [-3, 93], ticks: angles(90, width) },
-    y: { label: null, nice: true, zero: true },
-    marks: [
-      Plot.ruleY([0]),
-      Plot.line(theory, { x: "theta", y: "value", stroke: "var(--theory)", strokeWidth: 1.8, strokeDasharray: "7 4" }),
-      Plot.ruleX(points, { x: "theta", y1: "low", y2: "high", stroke: "var(--ink)", strokeWidth: 1.4 }),
-      Plot.dot(single, { x: "theta", y: "value", dx: -7, r: 2.2, fill: "var(--ink)", fillOpacity: 0.5 }),
-      Plot.dot(points, { x: "theta", y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6, tip: true, title: (d) => `${[d.value.toPrecision(4), unit].join(" ").trim()} at ${d.theta}°\n95 % of the mean ${d.low.toPrecision(3)} … ${d.high.toPrecision(3)}\n${d.n} specimen${d.n === 1 ? "" : "s"}` }),
-    ],
-  }) as Drawn;
-}
-
-/** 1, 2, 5 of each power of ten between the ends; where these are many, powers alone. */
-function logTicks(low: number, high: number): number[] {
-  const powers = Array.from({ length: 40 }, (_, i) => 10 ** (i - 20)).filter((p) => p <= high && 10 * p >= low);
-  const ticks = (powers.length > 3 ? [1] : [1, 2, 5]).flatMap((k) => powers.map((p) => k * p));
-  return ticks.filter((t) => t >= low && t <= high);
-}
-
-const shortNumber = (v: number) => (v >= 1e4 || (v > 0 && v < 1e-3) ? v.toExponential(0).replace("e+", "e") : String(+v.toPrecision(2)));
+const panel = (x: Panel["x"], y: Panel["y"], some: Panel["series"]): Panel => ({ title: "", caption: "", x, y, right: null, series: some, framed: true, aside: false });
 
 /** Interval and estimate of a parameter, step by step, inside the values that are admitted. */
-export function narrowing(p: Narrowing, width: number): Drawn {
+export function narrowing(p: Narrowing): Panel {
   const [low, high] = p.box;
   const [factor, unit] = readable(high, p.unit);
-  const steps = p.steps.map((s, i) => ({ step: i + 1, value: s.value * factor, low: (s.low ?? low) * factor, high: (s.high ?? high) * factor }));
   const logarithmic = low > 0 && high > 10 * low;
-  return Plot.plot({
-    ...base,
-    width,
-    height: 150,
-    marginLeft: 48,
-    marginTop: 24,
-    marginBottom: 32,
-    x: { label: "step", labelAnchor: "center", labelArrow: "none", domain: [0.5, Math.max(4, steps.length) + 0.5], ticks: steps.map((s) => s.step), tickFormat: "d" },
-    y: { label: unit || null, labelArrow: "none", type: logarithmic ? "log" : "linear", domain: [low * factor, high * factor], ticks: logarithmic ? logTicks(low * factor, high * factor) : 4, tickFormat: shortNumber },
-    marks: [
-      Plot.ruleX(steps, { x: "step", y1: "low", y2: "high", stroke: "var(--accent)", strokeOpacity: 0.35, strokeWidth: Math.min(14, width / 20), clip: true }),
-      Plot.line(steps, { x: "step", y: "value", stroke: "var(--accent)", strokeWidth: 1.6, clip: true }),
-      Plot.dot(steps, { x: "step", y: "value", fill: "var(--accent)", r: 3, tip: true, title: (d) => `step ${d.step}: ${d.value.toPrecision(3)} ${unit}\n${d.low.toPrecision(3)} … ${d.high.toPrecision(3)}` }),
-    ],
-  }) as Drawn;
+  const x = p.steps.map((_, i) => i + 1);
+  const inside = (v: number | null, end: number) => Math.min(high, Math.max(low, v ?? end)) * factor;
+  const ends = { low: p.steps.map((s) => inside(s.low, low)), high: p.steps.map((s) => inside(s.high, high)) };
+  const y = p.steps.map((s) => inside(s.value, low));
+  return panel(axis("step", "", 0.5, Math.max(4, x.length) + 0.5, { names: ["", ...x.map(String)] }), axis(p.symbol, unit, low * factor, high * factor, { logarithmic }), [
+    series("boxes", "interval", { name: "95 %", x, ...ends, width: 0.5 }),
+    series("line", "model", { x, y }),
+    series("points", "model", { name: "estimate", x, y }),
+  ]);
 }
 
 /** How far the axes go: strain [%], stress [MPa]. */
@@ -73,31 +36,23 @@ function round(value: number): number {
 /** Growing, whatever the sign of what is recorded: tension grows upwards, too. */
 function upwards(p: Pressed) {
   const sign = Math.max(0, ...p.stress) < -Math.min(0, ...p.stress) ? -1 : 1;
-  return p.strain.map((s, i) => ({ strain: 100 * sign * s, stress: 1e-6 * sign * p.stress[i] }));
+  return { x: p.strain.map((s) => 100 * sign * s), y: p.stress.map((s) => 1e-6 * sign * s) };
 }
 
 /** Axes that only grow, in few steps, over all specimens of a kind of test. */
 export function reached(p: Pressed, known: Map<string, Reach>): Reach {
   const before = known.get(p.test) ?? { strain: 0.1, stress: 1 };
-  const points = upwards(p);
-  const far = (least: number, values: number[]) => round(Math.max(least, ...values));
-  const now = { strain: far(before.strain, points.map((d) => d.strain)), stress: far(before.stress, points.map((d) => d.stress)) };
+  const { x, y } = upwards(p);
+  const now = { strain: round(Math.max(before.strain, ...x)), stress: round(Math.max(before.stress, ...y)) };
   known.set(p.test, now);
   return now;
 }
 
 /** The specimen that is in the press now, as far as it has come. */
-export function growing(p: Pressed, axes: Reach, width: number): Drawn {
-  const points = upwards(p);
-  return Plot.plot({
-    ...base,
-    width,
-    height: Math.max(200, Math.min(300, width * 0.55)),
-    marginLeft: 48,
-    marginTop: 26,
-    marginBottom: 38,
-    x: { label: "strain [%]", labelAnchor: "center", labelArrow: "none", domain: [Math.min(0, ...points.map((d) => d.strain)), axes.strain], ticks: 5 },
-    y: { label: "stress [MPa]", labelArrow: "none", domain: [Math.min(0, ...points.map((d) => d.stress)), axes.stress] },
-    marks: [Plot.ruleY([0]), Plot.line(points, { x: "strain", y: "stress", stroke: "var(--accent)", strokeWidth: 1.8 }), Plot.dot(points.slice(-1), { x: "strain", y: "stress", fill: "var(--accent)", r: 4 })],
-  }) as Drawn;
+export function growing(p: Pressed, axes: Reach): Panel {
+  const { x, y } = upwards(p);
+  return panel(axis("strain", "%", Math.min(0, ...x), axes.strain), axis("stress", "MPa", Math.min(0, ...y), axes.stress), [
+    series("line", "model", { name: "now", x, y }),
+    series("points", "model", { x: x.slice(-1), y: y.slice(-1) }),
+  ]);
 }

@@ -1,10 +1,10 @@
 // Charts whose numbers come and change while the page is open.
-import { Figure, figure, h } from "../dom";
+import { Chart, figure, h } from "../dom";
 
 /** A grid of charts, one per name; each is made once and drawn again with new numbers. */
 export class Figures {
   readonly node: HTMLElement;
-  private made = new Map<string, { figure: Figure; draw: (width: number) => Node; shown: string; caption: Text }>();
+  private made = new Map<string, { figure: Chart; draw: (width: number) => Node; shown: string; caption: Text }>();
   private observer = new ResizeObserver(() => this.made.forEach((m) => m.figure.redraw()));
 
   constructor(style: string) {

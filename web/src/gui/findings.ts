@@ -1,7 +1,7 @@
 // What the check says of the table: how it was read, what it holds, what it determines.
 import { Child, fold, h, table } from "../dom";
-import { scales, unitOf } from "../units";
-import { measured } from "./charts";
+import { axisLabel, draw, legend } from "../figure";
+import { scales } from "../units";
 import { argument, command, counted, keyed, plainly } from "./controls";
 import { Figures } from "./figures";
 import { Checked, Finding, Target, isUnbedded } from "./server";
@@ -18,8 +18,6 @@ const title = (t: Target) => (scales[t.property]?.[1] ?? t.property) + (t.confin
 const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, plainly(s)))) : null);
 
 const texts = (findings: Finding[]) => findings.map((f) => f.text);
-
-const assumed = "bars: 95 % of the mean; where one specimen was tested its scatter is assumed";
 
 /** `angles`: rocks without layers have none. */
 function numbers(targets: Target[], angles: boolean): HTMLElement {
@@ -50,14 +48,10 @@ export function findingsView(rock: string): FindingsView {
   const doubts = h("div"); // before all else
   const forecast = h("div");
   const charts = new Figures("grid small");
-  const legend = {
-    mean: h("li", {}, h("span", { "aria-hidden": "true" }, "◇"), "laboratory, mean and its 95 %"),
-    specimens: h("li", {}, h("span", { "aria-hidden": "true" }, "•"), "specimens"),
-    theory: h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "theory"),
-  };
+  const signs = h("div");
   const words = h("div");
   return {
-    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), doubts, forecast, charts.node, h("ul", { class: "legend" }, ...Object.values(legend)), words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), doubts, forecast, charts.node, signs, words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
     busy: (words) => (busy.textContent = words),
     show(checked, says) {
       busy.textContent = "";
@@ -65,18 +59,9 @@ export function findingsView(rock: string): FindingsView {
       const targets = checked.targets ?? [];
       const remarks = [...checked.models, ...texts(checked.limits), ...checked.in_maps];
       const bedded = !isUnbedded(checked);
-      const drawn = bedded ? targets : [];
-      charts.show(
-        [...new Set(drawn.map(title))].map((name) => {
-          const of = drawn.filter((t) => title(t) === name);
-          const curve = of[0].confining ? undefined : checked.theory?.[of[0].property];
-          const [factor, label] = scales[of[0].property] ?? [1, ""];
-          return { name, shown: [of, curve], caption: [curve?.note, of.some((t) => t.sd_assumed) && assumed].filter(Boolean).join("; "), draw: (width) => measured(of, curve, factor, unitOf(label), width) };
-        }),
-      );
-      legend.mean.hidden = drawn.length === 0;
-      legend.specimens.hidden = !drawn.some((t) => (t.specimens ?? []).length > 0);
-      legend.theory.hidden = !drawn.some((t) => (checked.theory?.[t.property]?.theta ?? []).length > 0);
+      const panels = bedded ? (checked.figure?.panels ?? []) : [];
+      charts.show(panels.map((p) => ({ name: [axisLabel(p.y), p.title].filter(Boolean).join(", "), shown: p, caption: p.caption, draw: (width) => draw(p, width, { bare: true }).node })));
+      keyed(signs, panels.map((p) => p.series.map((s) => s.name)), () => [panels.length > 0 && legend(panels)]);
       keyed(doubts, checked.doubts, () => checked.doubts.map((d) => h("p", { class: "notice" }, d.text)));
       keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, plainly(checked.forecast))]);
       keyed(words, checked, () => [

@@ -1,4 +1,5 @@
 // What the page asks the program, and what it answers: JSON (src/gui/api.cpp).
+import { Figure } from "../figure";
 
 export type State = "new" | "running" | "stopped" | "finished" | "failed";
 
@@ -139,12 +140,6 @@ export interface Target {
   diameter?: number; // [m] of a disc
 }
 
-export interface Curve {
-  note: string;
-  theta: number[];
-  value: number[];
-}
-
 /** What is found, as data; the text is for people. */
 export interface Finding {
   kind: string;
@@ -159,7 +154,7 @@ export interface Checked {
   doubts: Finding[];
   notes: string[];
   targets: Target[] | null;
-  theory: Record<string, Curve> | null;
+  figure: Figure | null; // of the targets
   statements: Finding[];
   parameters: { symbol: string; determined: boolean; interval: string | null; rests_on: { text: string } | null; next: { text: string } | null }[] | null;
   models: string[];

@@ -1,0 +1,53 @@
+#include "report/angle_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/yardsticks.hpp"
+
+namespace phy::report {
+
+Axis axis_of(Property property) {
+  const MeasuredProperty& m = measured(property);
+  return {m.axis, m.shown.name};
+}
+
+void fit_over_angles(Figure& figure) {
+  double far = 90.0;  // of the drawn angles
+  for (const Panel& p : figure.panels)
+    for (const Series& s : p.series)
+      for (const Point& point : s.points) far = std::max(far, point.x);
+  constexpr double room = 5.0;  // [deg] for what stands at the ends, and beside them
+  for (Panel& p : figure.panels)
+    p.x.quantity = "inclination θ", p.x.unit = "°", p.x.low = -room, p.x.high = far + room, p.x.step = 15.0;
+  fit_axes(figure);
+}
+
+Series laboratory_series() { return {"laboratory, mean and its 95 %", Mark::points, Role::laboratory}; }
+
+Point point_of(const Target& t, double factor) {
+  const double half = t.half_width();
+  return {t.theta, factor * t.mean, factor * (t.mean - half), factor * (t.mean + half)};
+}
+
+Series theory_series(const std::string& name, const AngleCurve& curve, double factor) {
+  Series s{name, Mark::line, Role::theory};
+  for (std::size_t i = 0; i < curve.theta.size(); ++i)
+    s.points.push_back({curve.theta[i], factor * curve.value[i]});
+  return s;
+}
+
+std::string theory_name(const TheoryCurves& curves, const std::string& fitted_to) {
+  const std::string by = curves.E.theta.empty()     ? "Jaeger"
+                         : curves.ucs.theta.empty() ? "Goodman"
+                                                    : "Goodman, Jaeger";
+  return by + " fitted to the " + fitted_to;
+}
+
+std::string error_beside(double model, const Target* t) {
+  if (t == nullptr) return "";
+  const double error = measured(t->property).absolute ? model - t->mean : model / t->mean - 1.0;
+  return std::string("error ") + (error < 0.0 ? "−" : "+") + error_text(t->property, std::fabs(error));
+}
+
+}  // namespace phy::report

@@ -1,0 +1,123 @@
+#include "report/calibration_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "report/angle_panels.hpp"
+#include "report/calibration_summary.hpp"
+
+namespace phy::report {
+namespace {
+
+/// 95 % interval by the fit, else the standard deviation between packings.
+std::pair<double, double> bounds_of(const Comparison& c) {
+  if (std::isfinite(c.low) && std::isfinite(c.high)) return {c.low, c.high};
+  return {c.mean - c.sd, c.mean + c.sd};
+}
+
+/// A sixth of the least step between the angles of a table: so wide are boxes on both sides of an angle, and
+/// so far beside it stand single specimens and what was predicted without them. [deg]
+double room_beside(const std::vector<Target>& table) {
+  double least = 15.0;
+  for (const Target& a : table)
+    for (const Target& b : table)
+      if (const double step = std::fabs(a.theta - b.theta); step > 0.0) least = std::min(least, step);
+  return least / 6.0;
+}
+
+/// A panel for every test of a table, whatever its angles, with what the laboratory and theory say of it.
+class LaboratoryPanels {
+ public:
+  explicit LaboratoryPanels(const std::vector<Target>& table)
+      : table_(table), curves_(theory_curves(table)), beside_(room_beside(table)) {
+    for (const Target& t : table)
+      if (std::none_of(tests_.begin(), tests_.end(), [&](const Target& k) { return same_test(k, t); }))
+        tests_.push_back(t);
+  }
+  /// One of each, with its first angle.
+  const std::vector<Target>& tests() const { return tests_; }
+  double beside() const { return beside_; }  ///< [deg]
+
+  Panel panel_of(const Target& test) const {
+    Panel panel;
+    panel.y = axis_of(test.property), panel.title = particulars(test);
+    if (!panel.title.empty()) panel.title.erase(0, 2);  // ", "
+    panel.aside = test.property == Property::nu;
+    Series laboratory = laboratory_series(), single{"specimens", Mark::dots, Role::specimen};
+    const double f = measured(test.property).shown.factor;
+    bool assumed = false;
+    for (const Target& t : table_) {
+      if (!same_test(t, test)) continue;
+      laboratory.points.push_back(point_of(t, f));
+      assumed = assumed || t.sd_assumed;
+      for (const double v : t.specimens) single.points.push_back({t.theta - beside_, f * v});
+    }
+    const AngleCurve curve = curve_of(test);
+    if (laboratory.points.size() > 1) panel.caption = curve.note;  // rock without layers has one angle
+    if (assumed) panel.caption += " Where one specimen was tested its scatter is assumed.";
+    panel.series = {theory_series(theory_name(curves_, "laboratory"), curve, f), single, laboratory};
+    return panel;
+  }
+
+ private:
+  AngleCurve curve_of(const Target& test) const {
+    if (test.confining != 0.0) return {};
+    return test.property == Property::E     ? curves_.E
+           : test.property == Property::ucs ? curves_.ucs
+                                            : AngleCurve{};
+  }
+  const std::vector<Target>& table_;
+  TheoryCurves curves_;
+  std::vector<Target> tests_;
+  double beside_;  // [deg]
+};
+
+/// What the model makes of a test: below the laboratory the interval, above it the model.
+void add_model(const Calibration& c, const Target& test, double beside, Panel& panel) {
+  const bool sequence = c.method == CalibrationMethod::sequence;
+  Series box{sequence ? "model ± standard deviation of the packings" : "95 % of the rock's value by the fit",
+             Mark::boxes, Role::interval};
+  Series model{c.verification.empty() ? "model, packings of the fit" : "model, unseen packings", Mark::points,
+               Role::model};
+  Series left_out{"model, predicted without it", Mark::points, Role::left_out};
+  box.width = 1.6 * beside;
+  const double f = measured(test.property).shown.factor;
+  for (const Comparison& fitted : c.fitted) {
+    const Target& t = fitted.target;
+    if (!same_test(t, test)) continue;
+    if (const auto [low, high] = bounds_of(fitted); std::isfinite(low))
+      box.points.push_back({t.theta, nan, f * low, f * high});
+    if (const Comparison& row = judged(c, fitted); row.answered())
+      model.points.push_back({t.theta, f * row.mean, nan, nan, error_beside(row.mean, &t)});
+    if (const Comparison* row = row_of(c.left_out, t); row != nullptr && row->answered())
+      left_out.points.push_back({t.theta + beside, f * row->mean});
+  }
+  panel.series.insert(panel.series.begin(), box);
+  panel.series.push_back(left_out), panel.series.push_back(model);
+}
+
+}  // namespace
+
+Figure calibration_figure(const Calibration& c) {
+  std::vector<Target> table;
+  for (const Comparison& row : c.fitted) table.push_back(row.target);
+  const LaboratoryPanels panels(table);
+  Figure figure;
+  for (const Target& test : panels.tests()) {
+    figure.panels.push_back(panels.panel_of(test));
+    add_model(c, test, panels.beside(), figure.panels.back());
+  }
+  fit_over_angles(figure);
+  return figure;
+}
+
+Figure laboratory_figure(const std::vector<Target>& table) {
+  const LaboratoryPanels panels(table);
+  Figure figure;
+  for (const Target& test : panels.tests()) figure.panels.push_back(panels.panel_of(test));
+  fit_over_angles(figure);
+  return figure;
+}
+
+}  // namespace phy::report
