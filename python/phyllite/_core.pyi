@@ -41,6 +41,7 @@ class Number:
     unit: str
     definition: str
     note: str
+    upper_bound: bool
     def __float__(self) -> float: ...
 
 class Specimen:

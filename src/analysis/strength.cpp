@@ -32,6 +32,7 @@ void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_
   const double hidden = std::min(std::max(first_row, pre_strain), branch.strain);
   n.value = stress_at(branch, std::max(*nth, hidden));
   if (*nth > hidden) return;
+  n.upper_bound = true;
   n.note = fmt::format(
       "below {:.4g} MPa: the crack came {}", n.value * 1e-6,
       pre_strain > 0.0 ? "by the end of the affine pre-strain" : "before the first row of the history");

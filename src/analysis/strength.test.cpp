@@ -156,11 +156,13 @@ TEST(CrackInitiation, AfterAJumpStartItIsAnUpperBound) {
   const auto early = initiation(h, cracks_from(0.00079, 1e-6, 40), 0.00079);
   EXPECT_NEAR(value(early, "sigma_ci"), 40e6, 1.0);
   EXPECT_EQ(note(early, "sigma_ci"), "below 40 MPa: the crack came by the end of the affine pre-strain");
+  EXPECT_TRUE(find(early, "sigma_ci")->upper_bound);
   EXPECT_EQ(note(early, "sigma_first_crack"),
             "below 40 MPa: the crack came by the end of the affine pre-strain");
   const auto late = initiation(h, cracks_from(0.001, 1e-6, 40), 0.00079);
   EXPECT_NEAR(value(late, "sigma_ci"), E * (0.001 + 2e-6), 1.0);
   EXPECT_EQ(note(late, "sigma_ci"), "");
+  EXPECT_FALSE(find(late, "sigma_ci")->upper_bound);
 }
 
 TEST(CrackInitiation, RowsWithinTheJumpDoNotHideIt) {  // the history begins before the jump ends at 0.0008

@@ -35,8 +35,8 @@ Outcome read_outcome(const Json& j, const std::string& where) {
 
 void read_numbers(const Json& j, SpecimenRecord& record) {
   for (const auto& [name, n] : j.at("numbers").items())
-    record.result.numbers.push_back(
-        {name, number(n.at("value")), n.at("unit"), n.at("definition"), n.value("note", "")});
+    record.result.numbers.push_back({name, number(n.at("value")), n.at("unit"), n.at("definition"),
+                                     n.value("note", ""), n.value("upper_bound", false)});
 }
 
 void read_packing(const Json& j, SpecimenRecord& record) {

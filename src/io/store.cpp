@@ -25,6 +25,7 @@ Json number_json(const Number& n) {
     j["note"] = n.note;
   else if (!std::isfinite(n.value))
     j["note"] = "could not be determined";
+  if (n.upper_bound) j["upper_bound"] = true;
   return j;
 }
 
@@ -71,9 +72,11 @@ Json quality_json(const TestResult& result) {
     j["marks"].push_back({{"number", m.limit->number},
                           {"value", m.value},
                           {"limit", m.bound()},
+                          {"least", m.limit->least},
                           {"grade", to_string(m.grade)},
                           {"of", m.limit->of},
                           {"says", m.text()},
+                          {"meaning", m.limit->says},
                           {"advice", m.limit->advice}});
   return j;
 }

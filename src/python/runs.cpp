@@ -283,6 +283,7 @@ void add_number(py::module_& m) {
       .def_readonly("unit", &Number::unit, "Its unit.")
       .def_readonly("definition", &Number::definition, "How it is read from the test.")
       .def_readonly("note", &Number::note, "Why there is no value, or what to keep in mind.")
+      .def_readonly("upper_bound", &Number::upper_bound, "The value is one; the note says why.")
       .def("__float__", [](const Number& n) { return n.value; })
       .def("__repr__", [](const Number& n) { return n.name + " = " + print_number(n.value) + " " + n.unit; });
 }

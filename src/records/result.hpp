@@ -118,6 +118,7 @@ struct Number {
   std::string unit;
   std::string definition;
   std::string note;
+  bool upper_bound = false;  ///< the value is one, and the note says why; a store does not keep this
 };
 
 /// Grains and contacts at one moment.

@@ -43,7 +43,8 @@ Json axes_json(const TestCurve& a) {
 Json columns_json(const TestDescription& test) {
   std::vector<TableColumn> columns = test.table;
   const TestCurve& curve = test.curve;
-  columns.push_back({"at peak", curve.strain_unit.c_str(), "peak_strain", curve.strain_factor, 4});
+  const std::string at_peak = curve.strain + " at peak";
+  columns.push_back({at_peak.c_str(), curve.strain_unit.c_str(), "peak_strain", curve.strain_factor, 4});
   for (std::size_t kind = 0; kind < crack_names.size(); ++kind)
     columns.push_back({crack_names[kind], "cracks", crack_numbers[kind], 1.0, 0});
   columns.push_back({"energy error", "", "energy_error", 1.0, 5});

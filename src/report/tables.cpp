@@ -23,10 +23,9 @@ std::string number(const TestResult& r, const std::string& name, double scale, i
   for (const Number& n : r.numbers) {
     if (n.name != name) continue;
     if (!std::isfinite(n.value)) return "-";
-    const bool bound =
-        n.note.starts_with("below");  // of a stress that loading has yet to bring: nothing below zero
-    return fmt::format("{}{:.{}f}", bound ? "<" : "", (bound ? std::max(n.value, 0.0) : n.value) * scale,
-                       digits);
+    // of a stress that loading has yet to bring: nothing below zero
+    const double value = n.upper_bound ? std::max(n.value, 0.0) : n.value;
+    return fmt::format("{}{:.{}f}", n.upper_bound ? "<" : "", value * scale, digits);
   }
   return "-";
 }

@@ -9,8 +9,7 @@ namespace phy::report {
 
 /// One row per specimen, units in the head, cracks of the whole test; readings of the curve and of cracks and
 /// run are the groups of text_table.
-/// "-": could not be determined, or the test was interrupted; "<": an upper bound (the number's note begins
-/// with "below").
+/// "-": could not be determined, or the test was interrupted; "<": an upper bound.
 /// "*": a strength with a reservation (missing_numbers tells it).
 std::string press_table(const std::vector<TestResult>& results, int terminal_width);
 

@@ -7,6 +7,7 @@ export interface NumberValue {
   unit: string;
   definition: string;
   note?: string;
+  upper_bound?: boolean; // the value is one
 }
 
 /** calibration.json as `phyllite calibrate` writes it (docs/formats.md). */
@@ -67,7 +68,7 @@ export interface Line {
 /** What speaks against a test (result.json, "quality"). */
 export interface Quality {
   grade: string; // good, warning, untrusted
-  marks: { number: string; value: number; limit: number; grade: string; says: string; advice: string; of?: string[] }[];
+  marks: { number: string; value: number; limit: number; least: boolean; grade: string; says: string; meaning: string; advice: string; of?: string[] }[];
 }
 
 interface RawTest {

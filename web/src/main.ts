@@ -61,7 +61,7 @@ function warnings(): [string, string[]][] {
     for (const m of t.quality.marks) {
       // Of a calibration E and nu are means over packings, and may be those of small strain: here the star in the table of the specimen says it.
       if (report.calibration && m.of?.length) continue;
-      const says = `${m.number} ${m.says.slice(m.says.indexOf(", ") + 2)}; ${m.advice}`;
+      const says = `${m.number} ${m.least ? "below" : "above"} ${m.limit}: ${m.meaning}; ${m.advice}`;
       told.set(says, [...(told.get(says) ?? []), `${t.name}: ${besideLimit(m.value, m.limit)}`]);
     }
   return [...told];
@@ -400,7 +400,7 @@ function roses() {
 function cell(t: Test, c: Column): HTMLElement {
   const n = t.numbers[c.number];
   const known = n && n.value !== null;
-  const bound = known && n.note?.startsWith("below") ? "<" : "";
+  const bound = known && n.upper_bound ? "<" : "";
   const doubted = t.quality.marks.find((m) => m.of?.includes(c.number));
   const reservation = known && !bound && (doubted || (n.note && c.made_for)) ? "*" : "";
   const td = h("td", { "data-number": c.number, "data-specimen": t.name }, known ? bound + (n.value! * c.scale).toFixed(c.digits) + reservation : "–");
