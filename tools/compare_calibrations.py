@@ -14,13 +14,13 @@ import re
 import sys
 
 # What an element of a list is known by; one that has none of these is known by its place.
-IDENTITY = ("key", "property", "theta [deg]", "confining [Pa]", "diameter [m]", "of", "planes")
+IDENTITY = ("kind", "key", "property", "theta [deg]", "confining [Pa]", "diameter [m]", "of", "planes")
 # Texts that are results and no words.
 CHOICES = re.compile(r"(verdict\.status|method|effort|E_is|layers|matrix|rock|rests_on|unit)$")
 # Names of an earlier shape -> names of the present one, as regular expressions of whole paths, applied in turn.
 RENAMED = []
 # Not a result: versions, and texts laid out as rows.
-NO_RESULT = re.compile(r"format|program\.|tables\b|methods\b|notes\b|verdict\.(sentence|summary|findings)\b")
+NO_RESULT = re.compile(r"format|program\.|tables\b|methods\b|verdict\.(sentence|summary)\b|.*\.text$")
 
 
 def identity(element, place):

@@ -35,8 +35,8 @@ _sys.modules[__name__ + ".theory"] = theory
 
 Path = Union[str, "_os.PathLike[str]"]
 
-__all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "InputError", "InternalError", "IoError",
-           "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
+__all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "Finding", "InputError", "InternalError",
+           "IoError", "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
            "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "run",
            "study", "theory", "__version__"]
 
@@ -402,12 +402,29 @@ class Comparison:
 
 
 @dataclass(frozen=True)
+class Finding:
+    """What was found: kind, cells and numbers are data (docs/formats.md), `text` says it to people."""
+
+    kind: str
+    cells: List[Dict[str, Any]]  #: property, theta [deg], confining [Pa], diameter [m]
+    numbers: Dict[str, float]  #: in SI
+    names: List[str]
+    advice: str
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True)
 class Verdict:
-    """The answer in words."""
+    """The answer."""
 
     status: str  #: "calibrated", "calibrated except", ... (docs/calibration.md)
     sentence: str  #: status, cause and next step
-    findings: List[str]  #: each limit with numbers
+    findings: List[Finding]  #: each limit with numbers
+    causes: List[Finding]  #: of the misfit, the largest share first; what is left open where the table is met
+    next: str  #: the step to take
 
     def __str__(self) -> str:
         return self.sentence
@@ -431,8 +448,9 @@ class Calibration:
         self.left_out = [Comparison(**row) for row in record.left_out]
         #: K_Ic on unseen packings, where nobody has stated the grain size: compared, not fitted
         self.compared = [Comparison(**row) for row in record.compared]
-        self.verdict = Verdict(record.status, record.sentence, record.findings)
-        self.notes: List[str] = record.notes
+        self.verdict = Verdict(record.status, record.sentence, [Finding(**row) for row in record.findings],
+                               [Finding(**row) for row in record.causes], record.next)
+        self.notes = [Finding(**row) for row in record.notes]
 
     @property
     def table(self) -> List[Comparison]:

@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "calibrate/cause.hpp"
-#include "calibrate/margin.hpp"
+#include "calibrate/by_model.hpp"
 #include "calibrate/model_choice.hpp"
-#include "calibrate/one_model.hpp"
 #include "calibrate/reach_check.hpp"
-#include "calibrate/sequence.hpp"
+#include "verdict/causes.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -28,17 +27,19 @@ Evidence with_model(const Evidence& evidence, const Rock& rock) {
 struct Model {
   Evidence evidence;                            ///< the rock with this model
   std::optional<ParameterEstimate> share = {};  ///< of its planes that is jointed
-  std::string advice = {};                      ///< how a user asks for it; empty: it would end out of reach
-  bool lacks_E = false;                         ///< as expected: it would end out of reach
-  std::string words() const { return model_in_words(evidence.rock); }
+  std::optional<Finding> advice = {};  ///< how a user asks for it; nothing: it would end out of reach
+  bool misses_modulus = false;         ///< as expected: it would end out of reach
+  std::string name() const { return model_in_words(evidence.rock); }
 };
 
 /// The one that is taken, and others that may do as well, the nearest first.
 struct Models {
   Model taken;
   std::vector<Model> rivals = {};
-  /// What a user is told of those from the k-th on, which were not tried.
-  std::string advice(std::size_t k) const { return k < rivals.size() ? rivals[k].advice : ""; }
+  /// What a user is advised of those from the k-th on, which were not tried.
+  std::optional<Finding> advice(std::size_t k) const {
+    return k < rivals.size() ? rivals[k].advice : std::nullopt;
+  }
 };
 
 bool is_possible(const Evidence& evidence) {
@@ -55,9 +56,8 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
                  Simulator& simulator) {
   const std::vector<Rock> candidates = candidates_of(evidence);
   Models models{{with_model(evidence, candidates.front())}};
-  if (candidates.size() > 1 && options.method == CalibrationMethod::sequence) {
-    result.notes.push_back(
-        fmt::format("the model is {}: a sequence compares no rivals", model_in_words(candidates.front())));
+  if (candidates.size() > 1 && !method_of(options.method).compares_models) {
+    result.notes.push_back({FindingKind::model_without_rivals, {}, {}, {model_in_words(candidates.front())}});
   } else if (candidates.size() > 1) {
     const ModelChoice choice =
         choose_model(evidence, candidates, evidence.rock.model.packing.seed, simulator, options.listener.say);
@@ -65,17 +65,17 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
       return r.layers != rock.layers || r.matrix != rock.matrix;
     });
-    result.notes.push_back(choice.text()), result.n_elastic += choice.n_solutions;
+    for (Finding& f : choice.findings()) result.notes.push_back(std::move(f));
     models.taken = {with_model(evidence, rock), choice.share()};
-    for (const Rival* rival : choice.near_ones())
-      if (Model other = {with_model(evidence, rival->rock), choice.share(*rival),
-                         rival->lacks_E ? "" : choice.asked_for(*rival), rival->lacks_E};
-          is_possible(other.evidence))
-        models.rivals.push_back(std::move(other));
+    for (const Rival* rival : choice.near_ones()) {
+      Model other = {with_model(evidence, rival->rock), choice.share(*rival)};
+      other.misses_modulus = rival->misses_modulus;
+      if (!rival->misses_modulus) other.advice = choice.asked_for(*rival);
+      if (is_possible(other.evidence)) models.rivals.push_back(std::move(other));
+    }
     result.rival = models.advice(0);
   }
-  if (const std::string text = assumed_share(evidence.rock, candidates); !text.empty())
-    result.notes.push_back(text);
+  if (const auto share = assumed_share(evidence.rock, candidates)) result.notes.push_back(*share);
   return models;
 }
 
@@ -87,112 +87,130 @@ struct Missed {
   Missed(const Calibration& c, std::size_t n_values) : unanswered(n_values) {
     double squares = 0.0;
     for (const Comparison& row : c.verification)
-      if (row.answered())
-        squares += std::pow(miss_of(row) / tolerance(row.target.property), 2.0), --unanswered;
+      if (row.answered()) {
+        squares += std::pow(verdict::miss_of(row) / verdict::tolerance(row.target.property), 2.0);
+        --unanswered;
+      }
     if (unanswered < n_values) tolerances = std::sqrt(squares / static_cast<double>(n_values - unanswered));
   }
   bool operator<(const Missed& other) const {
     return std::pair(unanswered, tolerances) < std::pair(other.unanswered, other.tolerances);
   }
-  std::string text() const {
-    return unanswered > 0
-               ? fmt::format("{} values without an answer", unanswered)
-               : fmt::format("{:.2g} tolerances off on unseen packings, root mean square", tolerances);
-  }
 };
-
-std::int64_t n_compressive_tests(const Calibration& c) { return c.n_strength_tests - c.n_tension_tests; }
-
-/// Is what was found out of reach, may a rival not be, and do the tests that are left pay for it? `n_one`:
-/// what the dearest of the models before took.
-bool tries(const Model& rival, const Calibration& c, std::int64_t n_one, const CalibrationOptions& options) {
-  return c.verdict.status == VerdictStatus::out_of_reach && (!rival.lacks_E || options.elastic_only) &&
-         options.max_tests - n_compressive_tests(c) >= std::max(n_one, least_tests(rival.evidence, options));
-}
 
 /// A calibration and by which model.
 struct Tried {
   Attempt attempt;
   const Model* by;
+  VerdictStatus status() const { return attempt.calibration.verdict.status; }
 };
 
-/// The one that is not out of reach, or else the nearer one, with the numbers of tests of both.
-/// `n_solutions`: of the choice, which both count. `n_values`: that were fitted. `told` gains what they came
-/// to.
-Tried nearer_of(Tried first, Tried second, std::int64_t n_solutions, std::size_t n_values,
-                std::vector<std::string>& told) {
-  const Missed by_first(first.attempt.calibration, n_values), by_second(second.attempt.calibration, n_values);
-  const VerdictStatus status = second.attempt.calibration.verdict.status;
-  const bool stopped = status == VerdictStatus::interrupted,
-             reached = !stopped && status != VerdictStatus::out_of_reach,
-             taken = reached || (!stopped && by_second < by_first);
-  const std::string a = first.by->words(), b = second.by->words();
-  told.push_back(
-      stopped ? fmt::format("{} ended out of reach ({}); {} were being calibrated", a, by_first.text(), b)
-              : fmt::format("{} ended out of reach ({}), so {} were calibrated too ({}): the {} taken", a,
-                            by_first.text(), b, by_second.text(),
-                            reached ? "latter, which did not, are"
-                            : taken ? "latter are"
-                                    : "former stay"));
-  Tried& kept = taken ? second : first;
-  const Calibration& other = (taken ? first : second).attempt.calibration;
-  Calibration& c = kept.attempt.calibration;
-  c.n_strength_tests += other.n_strength_tests, c.n_tension_tests += other.n_tension_tests;
-  c.n_coarse_tests += other.n_coarse_tests, c.n_elastic += other.n_elastic - n_solutions;
-  if (stopped) c.verdict = other.verdict;
-  return std::move(kept);
-}
-
-/// What the other models of a calibration came to, and, out of reach, what the maps say of the one that was
-/// taken. `tried`: all, that one among them.
-void report_others(Calibration& c, const Model& taken, const std::vector<const Model*>& tried,
-                   const std::vector<std::string>& told) {
-  c.notes.insert(c.notes.end(), told.begin(), told.end());
-  std::vector<Recipe> recipes = {taken.evidence.rock.model};
-  for (const Model* m : tried)
-    if (m != &taken) c.discarded.push_back(m->words()), recipes.push_back(m->evidence.rock.model);
-  if (c.verdict.status != VerdictStatus::out_of_reach || c.method == CalibrationMethod::sequence) return;
-  if (const std::string text = against_maps(taken.evidence, recipes, c.verification); !text.empty())
-    c.verdict.findings.insert(c.verdict.findings.begin(), text);
-}
-
-/// By one model; what is known of the share of its planes is told with the rest.
-Attempt calibrate_by(const Model& model, const Calibration& choice, const CalibrationOptions& options,
-                     Simulator& simulator, bool pictures_at_once) {
-  Calibration told = choice;
-  if (model.share)
-    told.parameters.push_back(*model.share), told.notes.push_back(share_in_words(*model.share));
-  return calibrate_by(model.evidence, told, options, simulator, pictures_at_once);
-}
-
-/// By the model that was taken and, as long as what was found is out of reach, by its rivals.
-Attempt calibrate_by_models(const Models& models, const Calibration& choice,
-                            const CalibrationOptions& options, Simulator& simulator) {
-  const Model& taken = models.taken;
-  const bool alone = models.rivals.empty(),
-             strengths = taken.evidence.fits_strength() && !options.elastic_only;
-  const std::size_t n_values =
-      taken.evidence.moduli.size() + (strengths ? taken.evidence.strengths.size() : 0);
-  Tried found = {calibrate_by(taken, choice, options, simulator, alone), &taken};
-  std::vector<const Model*> tried = {&taken};
-  std::vector<std::string> told;
-  std::int64_t n_one = n_compressive_tests(found.attempt.calibration);
-  for (std::size_t k = 0; k < models.rivals.size(); ++k) {
-    const Model& rival = models.rivals[k];
-    if (!tries(rival, found.attempt.calibration, n_one, options)) break;
-    options.listener.say(fmt::format("{}: out of reach; now {}", found.by->words(), rival.words()));
-    options.listener.estimates({});
-    CalibrationOptions rest = options;
-    rest.max_tests -= n_compressive_tests(found.attempt.calibration);
-    Tried other = {calibrate_by(rival, choice, rest, simulator, false), &rival};
-    n_one = std::max(n_one, n_compressive_tests(other.attempt.calibration));
-    found = nearer_of(std::move(found), std::move(other), choice.n_elastic, n_values, told);
-    found.attempt.calibration.rival = models.advice(k + 1);
-    tried.push_back(&rival);
+/// Calibrates by one model after the other and keeps the nearest.
+class Trial {
+ public:
+  Trial(const Models& models, const Calibration& choice, const CalibrationOptions& options,
+        Simulator& simulator, std::int64_t first_test)
+      : models_(models), choice_(choice), options_(options), simulator_(simulator), first_test_(first_test) {
+    const Evidence& e = models.taken.evidence;
+    const bool strengths = e.fits_strength() && !options.elastic_only;
+    n_values_ = e.moduli.size() + (strengths ? e.strengths.size() : 0);
   }
-  report_others(found.attempt.calibration, *found.by, tried, told);
-  return std::move(found.attempt);
+
+  /// By the model that was taken and, as long as what was found is out of reach, by its rivals.
+  Attempt run() {
+    Tried found = by(models_.taken, models_.rivals.empty());
+    for (std::size_t k = 0; k < models_.rivals.size() && tries(models_.rivals[k], found); ++k) {
+      const Model& rival = models_.rivals[k];
+      options_.listener.say(fmt::format("{}: out of reach; now {}", found.by->name(), rival.name()));
+      options_.listener.estimates({});
+      found = nearer_of(std::move(found), by(rival, false));
+      found.attempt.calibration.rival = models_.advice(k + 1);
+    }
+    report_others(found);
+    return std::move(found.attempt);
+  }
+
+ private:
+  const Models& models_;
+  const Calibration& choice_;
+  const CalibrationOptions& options_;
+  Simulator& simulator_;
+  std::int64_t first_test_;  // in compression
+  std::size_t n_values_;     // that are fitted
+  std::int64_t n_one_ = 0;   // tests that the most expensive of the models took
+  std::vector<const Model*> tried_;
+  std::vector<Finding> results_;  // of each
+
+  std::int64_t left() const { return options_.max_tests - (simulator_.count().compression() - first_test_); }
+
+  /// What is known of the share of its planes is noted with the rest.
+  Tried by(const Model& model, bool pictures_at_once) {
+    Calibration known = choice_;
+    if (model.share) {
+      known.parameters.push_back(*model.share);
+      known.notes.push_back(share_interval(*model.share));
+    }
+    CalibrationOptions rest = options_;
+    rest.max_tests = left();
+    Tried one = {calibrate_by(model.evidence, known, rest, simulator_, pictures_at_once), &model};
+    n_one_ = std::max(n_one_, one.attempt.n_tests);
+    tried_.push_back(&model), results_.push_back(result_of(one));
+    return one;
+  }
+
+  Finding result_of(const Tried& one) const {
+    if (one.status() == VerdictStatus::interrupted)
+      return {FindingKind::model_interrupted, {}, {}, {one.by->name()}};
+    const Missed missed(one.attempt.calibration, n_values_);
+    return {FindingKind::model_tried,
+            {},
+            {{"unanswered", static_cast<double>(missed.unanswered)},
+             {"tolerances", missed.tolerances},
+             {"reached", one.status() == VerdictStatus::out_of_reach ? 0.0 : 1.0}},
+            {one.by->name()}};
+  }
+
+  /// Is what was found out of reach, may a rival not be, and do the tests that are left pay for it?
+  bool tries(const Model& rival, const Tried& found) const {
+    return found.status() == VerdictStatus::out_of_reach &&
+           (!rival.misses_modulus || options_.elastic_only) &&
+           left() >= std::max(n_one_, least_tests(rival.evidence, options_));
+  }
+
+  /// The one that is not out of reach, or else the nearer one.
+  Tried nearer_of(Tried first, Tried second) const {
+    if (second.status() == VerdictStatus::interrupted) {
+      first.attempt.calibration.verdict = second.attempt.calibration.verdict;
+      return first;
+    }
+    const bool taken =
+        second.status() != VerdictStatus::out_of_reach ||
+        Missed(second.attempt.calibration, n_values_) < Missed(first.attempt.calibration, n_values_);
+    return taken ? std::move(second) : std::move(first);
+  }
+
+  /// What the other models of a calibration came to, and, out of reach, what the maps say of the one that was
+  /// taken.
+  void report_others(Tried& found) const {
+    Calibration& c = found.attempt.calibration;
+    std::vector<Recipe> recipes = {found.by->evidence.rock.model};
+    for (const Model* m : tried_)
+      if (m != found.by) c.discarded.push_back(m->name()), recipes.push_back(m->evidence.rock.model);
+    if (tried_.size() > 1) {
+      c.notes.insert(c.notes.end(), results_.begin(), results_.end());
+      c.notes.push_back({FindingKind::model_kept, {}, {}, {found.by->name()}});
+    }
+    if (c.verdict.status != VerdictStatus::out_of_reach || !method_of(c.method).compares_models) return;
+    if (const auto nearest = against_maps(found.by->evidence, recipes, c.verification))
+      c.verdict.findings.insert(c.verdict.findings.begin(), *nearest);
+  }
+};
+
+SimulatorCount operator-(const SimulatorCount& a, const SimulatorCount& b) {
+  return {a.tests - b.tests, a.tension - b.tension, a.coarse - b.coarse, a.solutions - b.solutions};
 }
+
+Verdict stopped_by_user() { return {VerdictStatus::interrupted, {{FindingKind::stopped}}}; }
 
 }  // namespace
 
@@ -203,21 +221,24 @@ void check_possible(const Evidence& evidence, const CalibrationOptions& options)
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
   check_possible(evidence, options);
   const auto start = std::chrono::steady_clock::now();
+  const SimulatorCount before = simulator.count();
   Calibration result;
   result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is, result.method = options.method;
-  if (options.method == CalibrationMethod::sequence) check_sequence(evidence);
+  method_of(options.method).check(evidence);
   try {
     const Models models = models_of(evidence, result, options, simulator);
-    Attempt attempt = calibrate_by_models(models, result, options, simulator);
-    press_pictures(attempt.pictures, attempt.calibration, simulator);
+    Attempt attempt = Trial(models, result, options, simulator, before.compression()).run();
     result = std::move(attempt.calibration);
-  } catch (const Stopped&) {  // while the models were compared
+    result.counts = simulator.count() - before;
+    if (result.verdict.status != VerdictStatus::interrupted)
+      run_for_pictures(attempt.pictures, simulator);  // which count for nothing
+  } catch (const Stopped&) {                          // while the models were compared, or at the pictures
     result.verdict = stopped_by_user();
   }
-  result.verdict.sentence = verdict_sentence(result);
-  if (result.verdict.status == VerdictStatus::out_of_reach &&
-      result.verdict.sentence.find(result.rival) == std::string::npos)  // something better was advised
-    result.notes.push_back(result.rival);
+  verdict::explain(result);
+  if (result.verdict.status == VerdictStatus::out_of_reach && result.rival &&
+      result.verdict.next.advice != Advice::try_rival)  // something better was advised
+    result.notes.push_back(*result.rival);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

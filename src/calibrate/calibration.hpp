@@ -5,30 +5,19 @@
 // options and the answers alone. A calibration that was interrupted therefore takes the same way again and
 // finds its answers in the store: it ends with the identical result.
 #pragma once
-#include <string>
-
-#include "calibrate/effort.hpp"
 #include "calibrate/evidence.hpp"
-#include "calibrate/listener.hpp"
+#include "calibrate/options.hpp"
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
 
 namespace phy::calibrate {
-
-struct CalibrationOptions {
-  CalibrationMethod method = CalibrationMethod::posterior;
-  bool elastic_only = false;
-  std::int64_t max_tests = 2000;  ///< in compression, verification included; tests in tension come on top
-  Effort effort = normal_effort;  ///< of the search of a posterior
-  Listener listener = {};
-};
 
 /// Throws InputError where nothing of the table can be fitted, or the budget is too small: at once, and
 /// before anything is begun.
 void check_possible(const Evidence& evidence, const CalibrationOptions& options);
 
 /// What the physics do is never thrown: the verdict says it. InputError where there is nothing to fit, the
-/// budget is too small, the method cannot work with the rock (sequence.hpp) or the recipe's joints dilate too
+/// budget is too small, the method cannot work with the rock (method.hpp) or the recipe's joints dilate too
 /// much. An interrupted calibration has VerdictStatus::interrupted.
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator);
 

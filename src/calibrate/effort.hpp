@@ -20,10 +20,8 @@ inline constexpr Effort normal_effort = efforts[1];
 
 /// What a search may cost.
 struct Budget {
-  // NOLINTNEXTLINE(google-explicit-constructor): a number is the usual budget
-  constexpr Budget(std::int64_t tests, const Effort& how = normal_effort) : max_tests(tests), effort(how) {}
   std::int64_t max_tests;  ///< in compression
-  Effort effort;
+  Effort effort = normal_effort;
 };
 
 }  // namespace phy::calibrate

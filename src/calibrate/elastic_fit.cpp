@@ -10,11 +10,14 @@
 #include "base/least_squares.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_problem.hpp"
-#include "calibrate/margin.hpp"
 #include "calibrate/posterior_ensemble.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
+
+using verdict::miss_of;
+using verdict::tolerance;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -208,11 +211,13 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
   ElasticFit fit;
   fit.recipe = evidence.rock.model;
   if (!evidence.has(Property::E)) return fit;
+  const std::int64_t first_solution = simulator.count().solutions;
   ElasticProblem problem(evidence, simulator);
   problem.use_packings({seeds.front()});
   Point x = problem.first_guess(seeds.front());
   minimise(problem, x, 20, 1e-3);
-  say(fmt::format("moduli fitted on one packing by {} direct solutions, now on more", problem.n_solutions()));
+  say(fmt::format("moduli fitted on one packing by {} direct solutions, now on more",
+                  simulator.count().solutions - first_solution));
   problem.use_packings(seeds);
   problem.weigh_packings(x);
   refine(problem, x, std::min(n_first_correction, seeds.size()));  // near the answer, then at it
@@ -229,7 +234,6 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
     if (!fit.nu_gave_way) x = x_with_nu, problem.go_back_to(with_nu);
   }
   report(fit, problem, x);
-  fit.n_solutions = problem.n_solutions();
   return fit;
 }
 

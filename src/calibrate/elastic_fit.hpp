@@ -28,8 +28,7 @@ struct ElasticFit {
   std::vector<Recipe> draws;            ///< of the moduli, jointly (posterior_ensemble.hpp); empty without E
   bool nu_gave_way = false;
   double E_before = 0.0;  ///< where it did: largest relative error of E before
-  std::int64_t n_solutions = 0;
-  std::vector<std::string> notes = {};
+  std::vector<Finding> notes = {};
 };
 
 /// Against the moduli of the evidence. Without E the recipe stays as it is. `seeds`: packings; `spare`: more

@@ -44,7 +44,6 @@ ElasticProblem::Point ElasticProblem::first_guess(std::int64_t seed) {
   Recipe intact = single_at(model, 0.0, seed);
   intact.bedding.clear();
   sight.E_c = intact.matrix.E_c, sight.E = simulator_.elastic({intact}, Statics::two_sided).front().E_gauge;
-  ++n_solutions_;
   if (!model.bedding.empty()) sight.joint_length = usual_overlap * model.bedding.front().spacing;
   Point x;
   for (std::size_t j = 0; j < n_parameters(); ++j) {
@@ -164,7 +163,6 @@ std::vector<ElasticAnswer> ElasticProblem::solved(const Point& x, const std::vec
                                                   Statics what) {
   const Recipe recipe = recipe_at(x);
   const auto solutions = solve_angles(recipe, evidence_.moduli, seeds, what, simulator_);
-  n_solutions_ += static_cast<std::int64_t>(solutions.size() * seeds.size());
   std::vector<ElasticAnswer> answers;
   for (const Row& row : rows_)
     answers.push_back(mean_of(solutions.at(row.target.theta), row.target.property, recipe));

@@ -46,7 +46,6 @@ class ElasticProblem {
   std::size_t n_residuals() const { return n_targets() + 2 * n_parameters(); }
   const ElasticParameter& parameter(std::size_t j) const { return *parameters_[j]; }
   const LogBox& box(std::size_t j) const { return boxes_[j]; }
-  std::int64_t n_solutions() const { return n_solutions_; }
 
   void use_packings(std::vector<std::int64_t> seeds);
   /// Where moduli and nu contradict each other: share of its weight that nu keeps.
@@ -91,7 +90,6 @@ class ElasticProblem {
   std::vector<Row> rows_;
   std::vector<std::int64_t> seeds_;
   double nu_weight_ = 1.0;
-  std::int64_t n_solutions_ = 0;
   Point x_;
   std::vector<ElasticAnswer> two_sided_, answers_;  // at x_; without and with the corrections
 

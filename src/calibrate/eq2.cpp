@@ -18,7 +18,6 @@ namespace {
 constexpr std::array eq2_angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
 constexpr std::array joint_factors = {0.5, 2.0};  // on the stiffness of the joints, beside 1
 constexpr std::array unsure = {0.7, 1.4};         // about what a spacing or a thickness is known to
-constexpr std::size_t n_recipes = 1 + 2 * joint_factors.size();
 
 struct Setting {
   std::string name;
@@ -110,10 +109,6 @@ std::vector<PlaneStiffness> eq2_band(const Recipe& recipe, const std::vector<std
   std::vector<PlaneStiffness> band;
   for (const Setting& s : settings_of(recipe)) band.push_back(stiffness_of(s, seeds, simulator));
   return band;
-}
-
-std::int64_t n_solutions_of(const std::vector<PlaneStiffness>& band, std::size_t n_packings) {
-  return static_cast<std::int64_t>(band.size() * n_recipes * eq2_angles.size() * n_packings);
 }
 
 }  // namespace phy::calibrate

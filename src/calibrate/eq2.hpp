@@ -22,7 +22,4 @@ bool has_eq2(const Recipe& recipe);
 std::vector<PlaneStiffness> eq2_band(const Recipe& recipe, const std::vector<std::int64_t>& seeds,
                                      Simulator& simulator);
 
-/// Direct solutions behind a band on so many packings.
-std::int64_t n_solutions_of(const std::vector<PlaneStiffness>& band, std::size_t n_packings);
-
 }  // namespace phy::calibrate

@@ -69,8 +69,8 @@ TEST(Eq2, IsOfPlanesInAMatrixWithoutDirections) {
 /// across.
 class HalfOfIt : public PaperPress {
  public:
-  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics what) override {
-    std::vector<ElasticResult> results = PaperPress::elastic(recipes, what);
+  std::vector<ElasticResult> solve(const std::vector<Recipe>& recipes, Statics what) override {
+    std::vector<ElasticResult> results = PaperPress::solve(recipes, what);
     for (std::size_t i = 0; i < recipes.size(); ++i)
       if (recipes[i].bedding.front().k_n < 2000e9 && recipes[i].bedding.front().theta < 90.0)
         results[i].E_gauge = 2e11;

@@ -11,12 +11,20 @@
 #include <utility>
 
 #include "base/least_squares.hpp"
-#include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
 #include "calibrate/nearest.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
+
+using verdict::margin;
+using verdict::miss_of;
+using verdict::misses;
+using verdict::modulus_limit;
+using verdict::strength_limit;
+using verdict::tolerance;
+using verdict::unresolved;
 
 using Eigen::VectorXd;
 

@@ -11,31 +11,33 @@
 
 #include "base/parallel.hpp"
 #include "calibrate/elastic_fit.hpp"
-#include "calibrate/elastic_verdict.hpp"
 #include "calibrate/forecast.hpp"
-#include "calibrate/margin.hpp"
 #include "calibrate/strength_posterior.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "verdict/judge.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
+
+using verdict::modulus_limit;
 
 constexpr std::uint32_t choice_seed = 20261122;
 // Of the error of the others, from where on flat joints are taken. Most tables do not tell the two apart: of
 // eight rocks of parallel bonds by planes three, by a little, are predicted better by flat joints, and of
 // eight of flat joints five by parallel bonds, which know more models of the layers and cost half as much.
-constexpr double clearly = 0.75;
+constexpr double flat_joint_gain = 0.75;
 // Of the error of planes alone, from where on directions between planes, or bridges, are taken, which contain
 // them: what has more to fit with is often a little better by chance.
-constexpr double wider = 0.9;
+constexpr double nested_gain = 0.9;
 // Bridges stiffen planes as much as they strengthen them: joints are fitted anew for each of these shares,
 // which no search of strengths could move.
 constexpr double persistences[] = {0.8, 0.65, 0.5, 0.35, 0.2};
 // Of the error of the best share, up to where another may be that of the rock (docs/calibration.md, "Which
 // model of the layers").
-constexpr double nearly = 1.2;
+constexpr double share_tolerance = 1.2;
 // Likewise, up to where a model of another kind is worth a calibration of its own.
-constexpr double worth_trying = 1.25;
+constexpr double rival_tolerance = 1.25;
 constexpr std::int64_t n_bridged = 3;  // packings for the moduli of these, whose specimens differ more
 
 /// Sum of squared relative errors, and how many.
@@ -88,7 +90,7 @@ Rival rival_of(const Evidence& evidence, const ElasticFit& fit, int threads) {
   const Squares E = modulus_squares(fit);
   const Squares strengths = strength_squares(evidence, with_moduli(evidence.rock.model, fit.recipe), threads);
   return {evidence.rock, E.root(), strengths.root(), std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n)),
-          judge_elastic(fit, evidence).out_of_reach};
+          verdict::moduli_out_of_reach(fit.comparisons)};
 }
 
 /// What the other matrix does not have falls back to where it says nothing.
@@ -134,7 +136,7 @@ bool contains(const Rival& one, const Rival& other) {
 bool is_barred(const Rival& one, const std::vector<Rival>& rivals) {
   const auto planes =
       std::find_if(rivals.begin(), rivals.end(), [&](const Rival& r) { return contains(one, r); });
-  return planes != rivals.end() && planes->has_E() == one.has_E() && one.error >= wider * planes->error;
+  return planes != rivals.end() && planes->has_E() == one.has_E() && one.error >= nested_gain * planes->error;
 }
 
 /// Flat joints, which stand last, have to meet what no other does, or to be clearly better where nothing
@@ -147,7 +149,7 @@ bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Tar
   if (std::any_of(so_far.rivals.begin(), so_far.rivals.end(),
                   [&](const Rival& r) { return foretold(r.rock, targets); }))
     return false;
-  return foretold(one.rock, targets) || one.error < clearly * best.error;
+  return foretold(one.rock, targets) || one.error < flat_joint_gain * best.error;
 }
 
 /// 1 of whole planes, and where there are none.
@@ -211,12 +213,9 @@ std::vector<Rock> candidates_of(const Evidence& evidence) {
   return all;
 }
 
-std::string assumed_share(const Rock& read, const std::vector<Rock>& candidates) {
-  if (candidates.size() > 1 || has_bridges(read.model) || !has_bridges(candidates.front().model)) return "";
-  return fmt::format(
-      "joints on {:g} of the planes are taken: a share is chosen where the table has four strengths without "
-      "confinement, UCS among them, and kept where a recipe states it (persistence)",
-      usual_persistence);
+std::optional<Finding> assumed_share(const Rock& read, const std::vector<Rock>& candidates) {
+  if (candidates.size() > 1 || has_bridges(read.model) || !has_bridges(candidates.front().model)) return {};
+  return Finding{FindingKind::share_assumed, {}, {{"share", usual_persistence}}};
 }
 
 std::string model_in_words(const Rock& rock) {
@@ -231,19 +230,6 @@ std::string model_in_words(const Rock& rock) {
                 : "joints on planes";
 }
 
-namespace {
-
-std::string errors_in_words(const std::string& model, const std::vector<Rival>& rivals) {
-  std::vector<std::string> E, strengths;
-  for (const Rival& r : rivals)
-    E.push_back(fmt::format("{:.1f}", 100.0 * r.modulus_error)),
-        strengths.push_back(fmt::format("{:.0f}", 100.0 * r.strength_error));
-  return fmt::format("; {}: E fitted to {} %, strengths left out predicted to {} %", model,
-                     fmt::join(E, ", "), fmt::join(strengths, ", "));
-}
-
-}  // namespace
-
 std::string models_in_words(const std::vector<Rock>& models) {
   std::vector<std::string> words, shares;
   for (const Rock& r : models)
@@ -257,33 +243,23 @@ std::string models_in_words(const std::vector<Rock>& models) {
 
 bool Rival::has_E() const { return modulus_error <= modulus_limit; }
 
-std::string ModelChoice::text() const {
-  std::string text =
-      fmt::format("expected to do best, by the maps of what models reach and before any test: {}",
-                  model_in_words(rock()));
-  std::vector<Rival> bridged;
-  std::vector<Rock> shares;
+std::vector<Finding> ModelChoice::findings() const {
+  std::vector<Finding> all = {{FindingKind::model_taken, {}, {}, {model_in_words(rock())}}};
   for (const Rival& r : rivals)
-    if (has_bridges(r.rock.model))
-      bridged.push_back(r), shares.push_back(r.rock);
-    else
-      text += errors_in_words(model_in_words(r.rock), {r});
-  if (!bridged.empty()) text += errors_in_words(models_in_words(shares), bridged);
+    all.push_back({FindingKind::model_expected,
+                   {},
+                   {{"E", r.modulus_error}, {"strengths", r.strength_error}},
+                   {model_in_words(r.rock)}});
   if (rivals[best].has_E() && !std::all_of(rivals.begin(), rivals.end(), std::mem_fn(&Rival::has_E)))
-    text += fmt::format("; what misses E by more than {:g} % is passed over", 100.0 * modulus_limit);
+    all.push_back({FindingKind::models_miss_modulus, {}, {{"limit", modulus_limit}}});
   const auto stays_behind = [&](const Rival& r) {
     return r.has_E() && r.error < rivals[best].error && is_barred(r, rivals);
   };
   if (std::any_of(rivals.begin(), rivals.end(), stays_behind))
-    text += fmt::format(
-        "; what contains whole planes alone is taken only where it misses less than {:g} of what those do",
-        wider);
+    all.push_back({FindingKind::nested_models_stay, {}, {{"gain", nested_gain}}});
   if (rivals.back().rock.model.matrix.model == MatrixModel::flat_joint)
-    text += fmt::format(
-        "; flat joints are taken where they alone are foretold to meet the table, or, where nothing is, "
-        "miss less than {:g} of what the others do",
-        clearly);
-  return text;
+    all.push_back({FindingKind::flat_joints_rule, {}, {{"gain", flat_joint_gain}}});
+  return all;
 }
 
 std::vector<const Rival*> ModelChoice::near_ones() const {
@@ -291,7 +267,7 @@ std::vector<const Rival*> ModelChoice::near_ones() const {
   const auto kind = [](const Rival& r) { return std::pair(r.rock.layers, r.rock.matrix); };
   std::map<std::pair<LayerModel, std::optional<MatrixModel>>, const Rival*> best_of_kind;
   for (const Rival& r : rivals) {
-    if (kind(r) == kind(taken) || (!r.has_E() && taken.has_E()) || r.error > worth_trying * taken.error)
+    if (kind(r) == kind(taken) || (!r.has_E() && taken.has_E()) || r.error > rival_tolerance * taken.error)
       continue;
     const auto [it, fresh] = best_of_kind.try_emplace(kind(r), &r);
     if (!fresh && r.error < it->second->error) it->second = &r;
@@ -302,23 +278,17 @@ std::vector<const Rival*> ModelChoice::near_ones() const {
   return near;
 }
 
-std::string ModelChoice::asked_for(const Rival& rival) const {
+Finding ModelChoice::asked_for(const Rival& rival) const {
   const Rival& taken = rivals[best];
   const bool several_matrices = std::any_of(
       rivals.begin(), rivals.end(), [&](const Rival& r) { return r.rock.matrix != taken.rock.matrix; });
-  std::vector<std::string> asked;
-  if (rival.rock.bedded)
-    asked.push_back(
-        fmt::format("layers = \"{}\" in the rock file{}", to_string(rival.rock.layers),
-                    rival.rock.layers == LayerModel::directions ? " without bedding.spacing" : ""));
-  if (several_matrices)
-    asked.push_back(fmt::format(
-        "--matrix {}", rival.rock.matrix == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond"));
-  return fmt::format(
-      "a new folder with {}: {} may do as well (E and strengths left out missed by {:.1f} % before any "
-      "test, by {:.1f} % with {})",
-      fmt::join(asked, " and "), model_in_words(rival.rock), 100.0 * rival.error, 100.0 * taken.error,
-      model_in_words(taken.rock));
+  const char* const matrix = rival.rock.matrix == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond";
+  return {FindingKind::rival_model,
+          {},
+          {{"error", rival.error}, {"taken_error", taken.error}},
+          {model_in_words(rival.rock), model_in_words(taken.rock),
+           rival.rock.bedded ? to_string(rival.rock.layers) : "", several_matrices ? matrix : ""},
+          Advice::try_rival};
 }
 
 std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {
@@ -327,7 +297,7 @@ std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {
   for (const Rival& r : rivals)
     if (r.rock.matrix == taken.rock.matrix &&
         (r.rock.layers == LayerModel::planes || r.rock.layers == LayerModel::planes_with_bridges))
-      possible[share_of(r.rock)] = (r.has_E() || !taken.has_E()) && r.error <= nearly * taken.error;
+      possible[share_of(r.rock)] = (r.has_E() || !taken.has_E()) && r.error <= share_tolerance * taken.error;
   if (possible.size() < 2) return std::nullopt;
   ParameterEstimate e;
   e.key = "bedding[0].persistence", e.symbol = "persistence", e.unit = "1", e.value = share_of(taken.rock);
@@ -344,12 +314,10 @@ std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {
   return e;
 }
 
-std::string share_in_words(const ParameterEstimate& share) {
-  return fmt::format(
-      "joints on {:g} of the planes, {:g} to {:g} (95 %): up to the next shares that predict clearly worse "
-      "(E out of reach, or {:g} times the error of E and values left out), or the last that were compared; "
-      "search and ensemble keep {:g}",
-      share.value, share.low, share.high, nearly, share.value);
+Finding share_interval(const ParameterEstimate& share) {
+  return {FindingKind::share_interval,
+          {},
+          {{"share", share.value}, {"low", share.low}, {"high", share.high}, {"factor", share_tolerance}}};
 }
 
 ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates, std::int64_t seed,
@@ -362,7 +330,7 @@ ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& cand
     const Evidence one(rock, evidence.targets);
     const LayerModel as = rock.layers == LayerModel::planes_and_directions ? LayerModel::planes : rock.layers;
     const auto [fit, fresh] = moduli.try_emplace({rock.model.matrix.model, as, share_of(rock)});
-    if (fresh) fit->second = moduli_of(one, seed, simulator), choice.n_solutions += fit->second.n_solutions;
+    if (fresh) fit->second = moduli_of(one, seed, simulator);
     Rival rival = rival_of(one, fit->second, simulator.threads());
     if (choice.rivals.empty() || replaces(rival, choice, evidence.targets))
       choice.best = choice.rivals.size();

@@ -32,8 +32,8 @@ std::vector<Rock> candidates_of(const Evidence& evidence);
 std::string model_in_words(const Rock& rock);
 /// All, the shares of the planes in one: "joints on planes; joints on 0.8, 0.65 of the planes".
 std::string models_in_words(const std::vector<Rock>& models);
-/// The share of the planes that nobody has stated and no table tells; empty: there is none.
-std::string assumed_share(const Rock& read, const std::vector<Rock>& candidates);
+/// `share_assumed`: of the planes, that nobody has stated and no table shows; nothing: there is none.
+std::optional<Finding> assumed_share(const Rock& read, const std::vector<Rock>& candidates);
 
 struct Rival {
   Rock rock;
@@ -41,20 +41,20 @@ struct Rival {
   double strength_error = 0.0;  ///< of strengths that were left out
   double error = 0.0;           ///< of both together
   /// An E that is missed by more than 6 % and than scatter explains: out of reach, whatever its strengths.
-  bool lacks_E = false;
+  bool misses_modulus = false;
   bool has_E() const;  ///< within 6 %, root mean square
 };
 
 struct ModelChoice {
-  std::vector<Rival> rivals;     ///< in the order of the candidates
-  std::size_t best = 0;          ///< of them
-  std::int64_t n_solutions = 0;  ///< of the direct solution
+  std::vector<Rival> rivals;  ///< in the order of the candidates
+  std::size_t best = 0;       ///< of them
   const Rock& rock() const { return rivals[best].rock; }
-  std::string text() const;  ///< one sentence with all errors
+  /// The model that is taken, the errors of all, and the rules that kept others back.
+  std::vector<Finding> findings() const;
   /// The best model of every other kind that predicts nearly as well, the nearest first.
   std::vector<const Rival*> near_ones() const;
-  /// How a user asks for one of them, and why.
-  std::string asked_for(const Rival& rival) const;
+  /// `rival_model`: how a user asks for one of them, and why.
+  Finding asked_for(const Rival& rival) const;
   /// Which shares of the planes may be jointed where one of the models is taken: from the next share below
   /// all that predict nearly as well to the next above. Nothing: it has no joints on a share, or no other
   /// share was compared.
@@ -62,8 +62,8 @@ struct ModelChoice {
   std::optional<ParameterEstimate> share() const { return share(rivals[best]); }
 };
 
-/// "joints on 0.5 of the planes, 0.35 to 0.8 (95 %): ...": what an interval of a share rests on.
-std::string share_in_words(const ParameterEstimate& share);
+/// What an interval of a share rests on.
+Finding share_interval(const ParameterEstimate& share);
 
 /// Of the candidates, two or more.
 ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates, std::int64_t seed,

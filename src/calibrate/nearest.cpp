@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "base/least_squares.hpp"
-#include "calibrate/margin.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
+
+using verdict::tolerance;
 
 using Eigen::VectorXd;
 

@@ -28,7 +28,7 @@ class PaperPress : public Simulator {
   std::int64_t stop_after = -1;  ///< tests, then the user has stopped; -1: never
   std::int64_t n_tests = 0, n_announced = 0;
 
-  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics) override {
+  std::vector<ElasticResult> solve(const std::vector<Recipe>& recipes, Statics) override {
     if (stops_statics) throw Stopped{};
     std::vector<ElasticResult> results(recipes.size());
     for (std::size_t i = 0; i < recipes.size(); ++i) {
@@ -39,10 +39,10 @@ class PaperPress : public Simulator {
     }
     return results;
   }
-  std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
+  std::vector<TestResult> run(const std::vector<Recipe>& recipes) override {
     std::vector<TestResult> results(recipes.size());
     for (std::size_t i = 0; i < recipes.size(); ++i) {
-      if (stopped()) continue;  // interrupted
+      if (stopped()) continue;
       ++n_tests;
       const Recipe& r = recipes[i];
       const double noise = packing_scatter * draw(r, 0) + run_scatter * draw(r, 1);

@@ -423,4 +423,9 @@ Estimate number_of_recipe(const CalibratedParameter& p) {
   return e;
 }
 
+Recipe with_moduli(Recipe recipe, const Recipe& moduli) {
+  for (const ElasticParameter* p : elastic_parameters(recipe)) p->set(recipe, p->get(moduli));
+  return recipe;
+}
+
 }  // namespace phy::calibrate

@@ -105,4 +105,7 @@ std::vector<const StrengthParameter*> strength_parameters(const Recipe& model);
 extern const StrengthParameter matrix_sigma_c, matrix_tau_c, matrix_mu, matrix_moment, matrix_phi,
     matrix_slits, joint_cohesion, joint_sigma_n, joint_mu, tension_ratio, cohesion_ratio, cohesion_oblique;
 
+/// The elastic parameters of another recipe; everything else stays.
+Recipe with_moduli(Recipe recipe, const Recipe& moduli);
+
 }  // namespace phy::calibrate

@@ -7,7 +7,6 @@
 
 #include "base/rng.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/strength_stage.hpp"
 
 namespace phy::calibrate {
 namespace {

@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "base/nan.hpp"
-#include "calibrate/margin.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
+
+using verdict::tolerance;
 
 constexpr int fewest_points = 64;  // of a family that says something by what it does not reach
 constexpr double times_nearer = 1.1;
@@ -147,8 +149,8 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
   return nearest_points_in(relative, evidence);
 }
 
-std::string against_maps(const Evidence& evidence, const std::vector<Recipe>& tried,
-                         const std::vector<Comparison>& found) {
+std::optional<Finding> against_maps(const Evidence& evidence, const std::vector<Recipe>& tried,
+                                    const std::vector<Comparison>& found) {
   const auto answer_to = [&](const Target& t) {
     const Comparison* row = row_of(found, t);
     return row != nullptr && row->answered() ? compared(t.property, row->mean) : nan;
@@ -162,22 +164,25 @@ std::string against_maps(const Evidence& evidence, const std::vector<Recipe>& tr
     own = error_of(reach_of(*p.family), evidence, tolerance, answer_to);
     if (!(p.error >= nearest.error)) nearest = p;
   }
-  if (nearest.family == nullptr || !std::isfinite(own)) return "";
+  if (nearest.family == nullptr || !std::isfinite(own)) return {};
   const ReachTable& table = reach_of(*nearest.family);
   const bool with_nu = std::any_of(evidence.targets.begin(), evidence.targets.end(), [&](const Target& t) {
     return t.property == Property::nu && was_mapped(table, evidence, t);
   });
-  const std::string numbers = fmt::format(
-      "{} missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped specimens of "
-      "{} models: ",
-      with_nu ? "E, nu and strengths" : "E and strengths", own, nearest.error, n_points, n_families);
-  if (nearest.error > own / times_nearer) return numbers + "no sign there of a nearer model";
+  Finding f{FindingKind::nearest_in_maps,
+            {},
+            {{"model", own},
+             {"nearest", nearest.error},
+             {"specimens", static_cast<double>(n_points)},
+             {"models", static_cast<double>(n_families)},
+             {"with_nu", with_nu ? 1.0 : 0.0}},
+            {nearest.family->label}};
+  if (nearest.error > own / times_nearer) return f;
   const auto is_it = [&](const Recipe& model) { return nearest.family->has(model); };
-  if (is_it(tried.front())) return numbers + "another search (--effort, packing.seed) may come nearer";
-  const bool was_tried = std::any_of(tried.begin(), tried.end(), is_it);
-  return numbers + fmt::format("{}{} (layers, --matrix) may come nearer",
-                               was_tried ? "another search (--effort, packing.seed) by " : "",
-                               nearest.family->label);
+  f.advice = is_it(tried.front())                             ? Advice::search_again
+             : std::any_of(tried.begin(), tried.end(), is_it) ? Advice::search_again_by
+                                                              : Advice::try_model;
+  return f;
 }
 
 std::vector<std::string> place_in_maps(const Evidence& evidence) {

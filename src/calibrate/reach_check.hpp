@@ -1,5 +1,6 @@
 // Where a table lies in the maps of what models reach, before anything runs.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,11 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence);
 
 /// A calibrated model held against the maps by E, nu as a test reads it, and strengths, scales free on both
 /// sides, in units of the tolerances (margin.hpp): whether one of the other models, or another search, may
-/// come nearer, in a sentence. Specimens of the maps lie far apart: that none is nearer does not prove that
+/// come nearer. Specimens of the maps lie far apart: that none is nearer does not prove that
 /// none can be (docs/calibration.md, "Verdict"). `tried`: the model, then others that a calibration was made
-/// by. `found`: what the model answers. Empty where there is too little to compare.
-std::string against_maps(const Evidence& evidence, const std::vector<Recipe>& tried,
-                         const std::vector<Comparison>& found);
+/// by. `found`: what the model answers. Nothing where there is too little to compare.
+std::optional<Finding> against_maps(const Evidence& evidence, const std::vector<Recipe>& tried,
+                                    const std::vector<Comparison>& found);
 
 /// The nearest points in sentences, with UCS over tension of the table and of the maps where the table has
 /// both.

@@ -38,11 +38,8 @@ void check_sequence(const Evidence& evidence);
 ElasticFit moduli_by_sequence(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
                               Simulator& simulator, const std::function<void(const std::string&)>& say);
 
-/// In place of fit_strength(), on the packing `seed`. `remodel` is called after every round that moved a
-/// strength.
-StrengthFit strengths_by_sequence(const Evidence& evidence, const Recipe& recipe, std::int64_t seed,
-                                  std::int64_t max_tests, Simulator& simulator,
-                                  const std::function<void(const std::string&)>& say,
-                                  const Remodel& remodel = {});
+/// In place of fit_strength(), on the first packing of the task; moduli are fitted anew after every round
+/// that moved a strength.
+void strengths_by_sequence(const SearchTask& task, StrengthFit& fit);
 
 }  // namespace phy::calibrate

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "base/check.hpp"
@@ -71,9 +70,9 @@ double nu_of(const Evidence& evidence, double E) {
 }
 
 /// The steps, each on what the one before has found.
-class Moduli {
+class SequenceOfModuli {
  public:
-  Moduli(const Evidence& evidence, const std::vector<std::int64_t>& seeds, Simulator& simulator)
+  SequenceOfModuli(const Evidence& evidence, const std::vector<std::int64_t>& seeds, Simulator& simulator)
       : evidence_(evidence), seeds_(seeds), simulator_(simulator) {
     fit_.recipe = evidence.rock.model;
   }
@@ -84,12 +83,10 @@ class Moduli {
       rock = macro_of(evidence_, readings_of(evidence_));
     else
       rock.E = evidence_.scales.modulus;
-    if (!rock.refused.empty())
-      fit_.notes.push_back("Eq. 1 through the table: " + rock.refused + "; such joints are the stiffest");
+    if (!rock.refused.empty()) fit_.notes.push_back({FindingKind::eq1_refused, {}, {}, {rock.refused}});
     fit_matrix(rock.E);
     if (bedded) fit_joints(rock);
     fit_.comparisons = elastic_response(fit_.recipe, evidence_.moduli, seeds_, simulator_);
-    fit_.n_solutions += n_angles() * n_seeds();
     return fit_;
   }
 
@@ -99,12 +96,6 @@ class Moduli {
   Simulator& simulator_;
   ElasticFit fit_;
 
-  std::int64_t n_seeds() const { return static_cast<std::int64_t>(seeds_.size()); }
-  std::int64_t n_angles() const {
-    std::set<double> angles;
-    for (const Target& t : evidence_.moduli) angles.insert(t.theta);
-    return static_cast<std::int64_t>(angles.size());
-  }
   double in_box(const ElasticParameter& p, double value) const {
     const LogBox box = p.box(evidence_.scales);
     return std::clamp(value, std::exp(box.low), std::exp(box.high));
@@ -126,7 +117,6 @@ class Moduli {
     std::vector<double> values;
     for (const ElasticResult& r : simulator_.elastic(recipes, Statics::one_sided))
       values.push_back(reading_of(r, property));
-    fit_.n_solutions += n_seeds();
     return summarise(values).mean;
   }
 
@@ -156,7 +146,6 @@ class Moduli {
     std::vector<theory::ModulusReading> readings;
     for (const Comparison& c : elastic_response(recipe, moduli, seeds_, simulator_))
       readings.push_back({c.target.theta, c.mean});
-    fit_.n_solutions += static_cast<std::int64_t>(moduli.size()) * n_seeds();
     return macro_of(evidence_, readings);
   }
 
@@ -185,9 +174,10 @@ class Moduli {
       if (k >= k_factors[0] * base && k <= 2.0 * base) break;
     }
     fit_.notes.push_back(
-        fmt::format("Eq. 2 on these packings: K_{0} = {1:.4g} k_{0} {2:+.4g} GPa/m, R2 = "
-                    "{3:.5f}; K_{0} = {4:.4g} GPa/m by Eq. 1 through the table",
-                    name, line.slope, line.intercept * 1e-9, line.R2, wanted * 1e-9));
+        {FindingKind::eq2_line,
+         {},
+         {{"slope", line.slope}, {"intercept", line.intercept}, {"R2", line.R2}, {"wanted", wanted}},
+         {name}});
     take(p, k, {Basis::eq2, {LabTest{Property::E}}});
   }
 
@@ -238,7 +228,7 @@ void check_sequence(const Evidence& evidence) {
 ElasticFit moduli_by_sequence(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
                               Simulator& simulator, const std::function<void(const std::string&)>& say) {
   say("moduli by Eq. 1, joints by Eq. 2 on the packings of the fit");
-  return Moduli(evidence, seeds, simulator).found();
+  return SequenceOfModuli(evidence, seeds, simulator).found();
 }
 
 }  // namespace phy::calibrate

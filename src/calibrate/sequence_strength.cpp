@@ -1,11 +1,12 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "calibrate/search_plan.hpp"
 #include "calibrate/sequence.hpp"
+#include "calibrate/strength_tests.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -64,46 +65,45 @@ std::vector<Step> steps_of(const Evidence& evidence) {
 
 class Sequence {
  public:
-  /// `recipe`: with test_settings().
-  Sequence(const Evidence& evidence, const Recipe& recipe, std::int64_t seed, std::int64_t max_tests,
-           Simulator& simulator, const std::function<void(const std::string&)>& say)
-      : evidence_(evidence),
-        seed_(seed),
-        simulator_(simulator),
-        say_(say),
-        steps_(steps_of(evidence)),
-        left_(max_tests - evidence.n_compressive()),
-        tests_(recipe, evidence.strengths, seed, simulator) {
-    fit_.recipe = recipe;
+  Sequence(const SearchTask& task, StrengthFit& fit)
+      : evidence_(task.evidence),
+        refit_(task.refit),
+        seed_(task.seeds.front()),
+        simulator_(task.simulator),
+        say_(task.listener.say),
+        fit_(fit),
+        steps_(steps_of(evidence_)),
+        left_(task.budget.max_tests - evidence_.n_compressive()),
+        settings_(test_settings(task.recipe, evidence_.strengths, seed_, simulator_)),
+        tests_(settings_, evidence_.strengths, seed_, simulator_) {
+    fit_.recipe = settings_;
   }
 
-  StrengthFit found(const Remodel& remodel) {
+  void run() {
     announce();
-    try {
-      bool settled = false;
-      for (int round = 1; round <= most_rounds && !settled && left_ > 0; ++round) {
-        settled = !moved_in(round);
-        if (!settled && remodel) read_moduli_anew(remodel);
-      }
-      if (!settled && left_ <= 0) fit_.longer_by = "a larger --max-tests";
-      if (!settled && fit_.longer_by.empty())
-        fit_.notes.push_back(fmt::format("the strengths still moved in round {}, the last", most_rounds));
-      conclude();
-    } catch (const Stopped&) {
-      fit_.interrupted = true;
+    bool settled = false;
+    for (int round = 1; round <= most_rounds && !settled && left_ > 0; ++round) {
+      settled = !moved_in(round);
+      if (!settled && refit_) read_moduli_anew();
     }
-    return fit_;
+    fit_.shortage.of_tests = !settled && left_ <= 0;
+    if (!settled && left_ > 0)
+      fit_.notes.push_back({FindingKind::sequence_unsettled, {}, {{"rounds", most_rounds}}});
+    conclude();
   }
 
  private:
   const Evidence& evidence_;
+  const RefitModuli& refit_;
   std::int64_t seed_;
   Simulator& simulator_;
   const std::function<void(const std::string&)>& say_;
+  StrengthFit& fit_;
   std::vector<Step> steps_;
   std::int64_t left_;  ///< tests in compression, those of all strengths at the end put aside
+  Recipe settings_;
   StrengthTests tests_;
-  StrengthFit fit_;
+  std::int64_t n_tests_ = 0;
 
   /// One strength after the other. False: none had to move.
   bool moved_in(int round) {
@@ -124,8 +124,7 @@ class Sequence {
     step.parameter->set(recipe, std::exp(x));
     const std::vector<TestResult> results =
         simulator_.test({tests_.of(recipe, step.target, seed_, as_measured)});
-    if (simulator_.stopped()) throw Stopped{};
-    --left_, ++fit_.n_tests;
+    --left_, ++n_tests_;
     const Target& t = evidence_.strengths[step.target];
     const double ucs = strength_of(results.front(), t.property);
     if (!std::isfinite(ucs)) ++fit_.n_without_peak;
@@ -155,15 +154,14 @@ class Sequence {
   }
 
   /// What tests have made of the moduli by where the table reads them, at the present strengths.
-  void read_moduli_anew(const Remodel& remodel) {
+  void read_moduli_anew() {
     const std::vector<Target> tests = tests_to_read(evidence_);
     const auto n = static_cast<std::int64_t>(tests.size());
     if (left_ < n) return;
-    left_ -= n, fit_.n_tests += n, fit_.n_solutions += n;
+    left_ -= n, n_tests_ += n;
     fit_.softenings =
-        softenings_of(fit_.recipe, fit_.recipe, tests, {seed_}, evidence_.rock.E_is, simulator_);
-    if (simulator_.stopped()) throw Stopped{};
-    fit_.recipe = with_moduli(fit_.recipe, remodel(fit_.softenings).recipe);
+        softenings_of({fit_.recipe, fit_.recipe, tests, {seed_}, evidence_.rock.E_is}, simulator_);
+    fit_.recipe = with_moduli(fit_.recipe, refit_(fit_.softenings).recipe);
   }
 
   void add_estimate(const StrengthParameter& p, Support rests_on) {
@@ -193,31 +191,27 @@ class Sequence {
                                    {},
                                    is_step(joint_cohesion) ? joint_cohesion.symbol : matrix_sigma_c.symbol});
     fit_.fitted = strength_response(fit_.recipe, evidence_.strengths, {seed_}, as_measured, simulator_);
-    if (simulator_.stopped()) throw Stopped{};
-    const std::int64_t n = evidence_.n_tests();
-    fit_.n_tests += n, fit_.n_tension += n - evidence_.n_compressive();
+    n_tests_ += evidence_.n_tests();
     report_unused();
     if (fit_.n_without_peak > 0)
       fit_.notes.push_back(
-          fmt::format("{} of {} tests of the search gave no usable peak: the strength was "
-                      "left at the best so far",
-                      fit_.n_without_peak, fit_.n_tests));
+          {FindingKind::peaks_skipped,
+           {},
+           {{"tests", static_cast<double>(fit_.n_without_peak)}, {"of", static_cast<double>(n_tests_)}}});
     for (const Step& step : steps_)  // of this packing, at the end
       if (const Comparison& c = fit_.fitted[step.target];
           !(std::fabs(std::log(c.mean / c.target.mean)) <= met))
-        fit_.notes.push_back(fmt::format("{} could not be met within {:.0f} % by {}", name(step), 100.0 * met,
-                                         step.parameter->symbol));
+        fit_.notes.push_back(
+            {FindingKind::step_missed, {cell_of(c.target)}, {{"limit", met}}, {step.parameter->symbol}});
   }
 
   /// What the table has and a sequence does not ask.
   void report_unused() {
-    std::vector<std::string> unused;
+    std::vector<Cell> unused;
     for (std::size_t i = 0; i < evidence_.strengths.size(); ++i)
       if (std::none_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.target == i; }))
-        unused.push_back(cell_name(evidence_.strengths[i]));
-    if (!unused.empty())
-      fit_.notes.push_back(fmt::format(
-          "the sequence does not use {}: the model is compared with them, no more", fmt::join(unused, ", ")));
+        unused.push_back(cell_of(evidence_.strengths[i]));
+    if (!unused.empty()) fit_.notes.push_back({FindingKind::values_unused, std::move(unused)});
   }
 
   /// About as many as it takes, the verification included.
@@ -235,12 +229,6 @@ class Sequence {
 
 }  // namespace
 
-StrengthFit strengths_by_sequence(const Evidence& evidence, const Recipe& recipe, std::int64_t seed,
-                                  std::int64_t max_tests, Simulator& simulator,
-                                  const std::function<void(const std::string&)>& say,
-                                  const Remodel& remodel) {
-  const Recipe with_settings = test_settings(recipe, evidence.strengths, seed, simulator);
-  return Sequence(evidence, with_settings, seed, max_tests, simulator, say).found(remodel);
-}
+void strengths_by_sequence(const SearchTask& task, StrengthFit& fit) { Sequence(task, fit).run(); }
 
 }  // namespace phy::calibrate

@@ -6,12 +6,15 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/settle.hpp"
+#include "records/test_description.hpp"
 #include "statics/uniaxial.hpp"
 #include "study/effects.hpp"
 #include "study/expected.hpp"
@@ -88,7 +91,11 @@ class OwnSimulator : public Simulator {
     if (!options_.store.empty()) store_ = std::make_unique<study::Store>(options_.store);
   }
 
-  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics what) override {
+  void announce(const std::vector<Recipe>& recipes) override { clockwork_.announce(recipes); }
+  int threads() const override { return options_.threads; }
+
+ private:
+  std::vector<ElasticResult> solve(const std::vector<Recipe>& recipes, Statics what) override {
     load_packings(recipes);
     std::vector<Specimen> specimens(recipes.size());
     for_all(recipes.size(), options_.threads, [&] {
@@ -101,37 +108,28 @@ class OwnSimulator : public Simulator {
     how.sensitivities = what == Statics::with_rates;
     how.tolerance = statics_tolerance;
     how.stop = options_.stop;
-    std::vector<ElasticResult> results = statics::solve_all(specimens, how, options_.threads);
-    if (stopped()) throw Stopped{};
-    return results;
+    return statics::solve_all(specimens, how, options_.threads);
   }
 
-  std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
+  std::vector<TestResult> run(const std::vector<Recipe>& recipes) override {
     clockwork_.begin(recipes.size());
     const study::Plan plan = study::plan_of(recipes);
-    if (options_.gallery != nullptr)
+    if (options_.sink != nullptr)
       for (const study::PlannedTest& t : plan.tests)
-        if (keeps_pictures(t.recipe) && !options_.gallery->holds(t.recipe)) store().remove(t.key);
-    run(plan);
+        if (keeps_pictures(t.recipe) && !options_.sink->holds(t.recipe)) store().remove(t.key);
+    run_plan(plan);
     std::vector<std::string> keys;
     for (const study::Run& r : plan.runs) keys.push_back(plan.tests[r.test].key);
     study::StudyRows rows = store().rows(keys);
     if (options_.with_untrusted) rows = study::with_untrusted(std::move(rows));
     std::vector<TestResult> results(recipes.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (rows[i])
-        results[i] = rows[i]->result;
-      else
-        results[i].outcome = {Status::interrupted, "not run", ""};
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i)  // none where the user stopped
+      if (rows[i]) results[i] = rows[i]->result;
     return results;
   }
 
-  void announce(const std::vector<Recipe>& recipes) override { clockwork_.announce(recipes); }
-  int threads() const override { return options_.threads; }
   bool stopped() const override { return options_.stop != nullptr && options_.stop->load(); }
 
- private:
   SimulatorOptions options_;
   std::unique_ptr<TemporaryFile> temporary_;
   std::unique_ptr<study::Store> store_;
@@ -164,7 +162,7 @@ class OwnSimulator : public Simulator {
     for (std::size_t i = 0; i < list.size(); ++i) packings_[list[i].first] = made[i];
   }
 
-  void run(const study::Plan& plan) {
+  void run_plan(const study::Plan& plan) {
     study::Hooks hooks;
     hooks.stop = options_.stop;
     if (options_.on_progress)
@@ -175,13 +173,13 @@ class OwnSimulator : public Simulator {
       hooks.on_reading = [&](std::size_t test, double strain, double stress) {
         options_.on_reading(plan.tests[test].recipe, strain, stress);
       };
-    if (options_.gallery != nullptr)
+    if (options_.sink != nullptr)
       hooks.on_result = [&](std::size_t test, const TestResult& result) {
         const Recipe& recipe = plan.tests[test].recipe;
         if (!keeps_pictures(recipe) || result.n_grains == 0) return;  // 0: no specimen could be made
         const auto known = packings_.find(packing_name(recipe));
         const auto packing = known != packings_.end() ? known->second : study::packing_of(recipe);
-        options_.gallery->add(*study::specimen_of(packing, recipe), recipe, result);
+        options_.sink->add(*study::specimen_of(packing, recipe), recipe, result);
       };
     study::StoreQueue queue(plan, store(), hooks, options_.threads);
     study::MachineOptions machine;
@@ -193,6 +191,28 @@ class OwnSimulator : public Simulator {
 };
 
 }  // namespace
+
+std::vector<ElasticResult> Simulator::elastic(const std::vector<Recipe>& recipes, Statics what) {
+  std::vector<ElasticResult> results = solve(recipes, what);
+  if (stopped()) throw Stopped{};
+  count_.solutions += std::ssize(recipes);
+  return results;
+}
+
+std::vector<TestResult> Simulator::test(const std::vector<Recipe>& recipes, Grains grains) {
+  std::vector<TestResult> results = run(recipes);
+  if (stopped()) throw Stopped{};
+  std::set<std::string> counted;
+  for (const Recipe& r : recipes) {
+    if (!counted.insert(study::specimen_key(r)).second) continue;
+    const std::optional<Property> property =
+        property_of(r.test.kind->name, r.test.kind->curve.quantity().number);
+    ++count_.tests;
+    count_.tension += property && is_compressive(*property) ? 0 : 1;
+    count_.coarse += grains == Grains::coarse ? 1 : 0;
+  }
+  return results;
+}
 
 bool keeps_pictures(const Recipe& recipe) { return recipe.test.n_snapshots > 0 || recipe.test.n_frames > 0; }
 

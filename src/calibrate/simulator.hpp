@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "records/calibration.hpp"
 #include "records/elastic.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
@@ -14,7 +15,8 @@
 
 namespace phy::calibrate {
 
-/// The user has asked to stop: what elastic() throws instead of half an answer.
+/// The user has asked to stop: what a simulator throws in place of an answer, and the one way in which a
+/// calibration ends early.
 struct Stopped {};
 
 /// What a direct solution is asked for.
@@ -24,20 +26,32 @@ enum class Statics {
   with_rates,  ///< two-sided, with derivatives by the stiffness parameters
 };
 
+/// On which grains a test is done.
+enum class Grains { own, coarse };
+
 /// All recipes here stand for one specimen: no test.angles, the bedding at its final angle (or none).
 class Simulator {
  public:
   virtual ~Simulator() = default;
-  /// Small-strain E and nu. May throw Stopped.
-  virtual std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics what) = 0;
-  /// Laboratory tests. Results in the order of the recipes; Status::interrupted where the user stopped.
-  virtual std::vector<TestResult> test(const std::vector<Recipe>& recipes) = 0;
+  /// Small-strain E and nu.
+  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics what);
+  /// Laboratory tests. Results in the order of the recipes; equal recipes are one test.
+  std::vector<TestResult> test(const std::vector<Recipe>& recipes, Grains grains = Grains::own);
+  /// What was asked for and answered so far.
+  const SimulatorCount& count() const { return count_; }
   /// Tests like these will be asked for next, in this order: for the remaining time, for nothing else.
   virtual void announce(const std::vector<Recipe>&) {}
-  /// True once the user has asked to stop.
-  virtual bool stopped() const = 0;
   /// As many as the user gives the calibration, also for what it computes itself.
   virtual int threads() const { return 1; }
+
+ private:
+  SimulatorCount count_;
+
+  /// The two questions. May throw Stopped; where stopped() is true afterwards the answer is dropped.
+  virtual std::vector<ElasticResult> solve(const std::vector<Recipe>& recipes, Statics what) = 0;
+  virtual std::vector<TestResult> run(const std::vector<Recipe>& recipes) = 0;
+  /// True once the user has asked to stop.
+  virtual bool stopped() const = 0;
 };
 
 /// Finished and all tests of the present batch, and the time to go, announced tests included.
@@ -48,9 +62,9 @@ struct TestProgress {
 
 /// Where specimens go whose tests keep pictures (keeps_pictures()): a store holds numbers, curves and cracks
 /// alone.
-class Gallery {
+class SpecimenSink {
  public:
-  virtual ~Gallery() = default;
+  virtual ~SpecimenSink() = default;
   /// False: the test is done again, though the store may have its numbers.
   virtual bool holds(const Recipe& recipe) = 0;
   virtual void add(const Specimen& specimen, const Recipe& recipe, const TestResult& result) = 0;
@@ -66,8 +80,8 @@ struct SimulatorOptions {
   std::function<void(const study::WorkReport&)> on_work = nullptr;  ///< after every batch of tests
   /// Strain and stress [Pa] of a running test after each block; from a worker, one at a time.
   std::function<void(const Recipe&, double strain, double stress)> on_reading = nullptr;
-  bool with_untrusted = false;  ///< tests that are not to be trusted count like the others
-  Gallery* gallery = nullptr;   ///< called from a worker, one at a time; null: pictures are lost
+  bool with_untrusted = false;   ///< tests that are not to be trusted count like the others
+  SpecimenSink* sink = nullptr;  ///< called from a worker, one at a time; null: pictures are lost
 };
 
 /// This program: packings from the cache, statics, press. Tests that the store holds are not run again.

@@ -51,15 +51,15 @@ Recipe as_for_moduli(Recipe specimen, const Recipe& model) {
   return specimen;
 }
 
-Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& tests,
-                         const std::vector<std::int64_t>& seeds, ModulusReading reading,
-                         Simulator& simulator) {
-  const StrengthTests settings(recipe, tests, seeds.front(), simulator);
+Softenings softenings_of(const TestsToRead& read, Simulator& simulator) {
+  const std::vector<Target>& tests = read.tests;
+  const std::vector<std::int64_t>& packings = read.packings;
+  const StrengthTests settings(read.recipe, tests, packings.front(), simulator);
   std::vector<Recipe> recipes, unbroken;
   for (std::size_t i = 0; i < tests.size(); ++i)
-    for (const std::int64_t seed : seeds) {
-      recipes.push_back(settings.of(recipe, i, seed, as_measured));
-      unbroken.push_back(as_for_moduli(recipes.back(), model));
+    for (const std::int64_t packing : packings) {
+      recipes.push_back(settings.of(read.recipe, i, packing, as_measured));
+      unbroken.push_back(as_for_moduli(recipes.back(), read.model));
     }
   const std::vector<TestResult> results = simulator.test(recipes);
   const std::vector<ElasticResult> solutions = simulator.elastic(unbroken, Statics::one_sided);
@@ -67,8 +67,8 @@ Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::v
   for (std::size_t i = 0; i < tests.size(); ++i) {
     double log_factor = 0.0, addition = 0.0;
     int n = 0;
-    for (std::size_t k = i * seeds.size(); k < (i + 1) * seeds.size(); ++k)
-      if (const auto s = softening_of(results[k], tests[i].property, solutions[k], reading))
+    for (std::size_t k = i * packings.size(); k < (i + 1) * packings.size(); ++k)
+      if (const auto s = softening_of(results[k], tests[i].property, solutions[k], read.reading))
         log_factor += std::log(s->factor), addition += s->addition, ++n;
     if (n > 0) mean[test_of_cell(tests[i])] = {std::exp(log_factor / n), addition / n};
   }

@@ -45,11 +45,16 @@ std::optional<Softening> softening_of(const TestResult& test, Property property,
 /// sought are part of what tests make of the moduli.
 Recipe as_for_moduli(Recipe specimen, const Recipe& model);
 
-/// Measured: tests of a recipe at the speed of a verification, on each of the packings. `model`: of the
-/// elastic stage; `tests`: strengths in compression.
-Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& tests,
-                         const std::vector<std::int64_t>& seeds, ModulusReading reading,
-                         Simulator& simulator);
+/// Which tests show it.
+struct TestsToRead {
+  const Recipe& recipe;
+  const Recipe& model;        ///< of the elastic stage
+  std::vector<Target> tests;  ///< strengths in compression
+  std::vector<std::int64_t> packings;
+  ModulusReading reading;
+};
+/// Measured: tests of a recipe at the speed of a verification, the mean over the packings.
+Softenings softenings_of(const TestsToRead& read, Simulator& simulator);
 
 /// Do measured softenings differ from those that the moduli were fitted with by less than 1 % of E and 0.01
 /// of nu?

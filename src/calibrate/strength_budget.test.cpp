@@ -12,12 +12,12 @@ namespace {
 
 TEST(StrengthStage, KeepsToItsBudgetAndAnnouncesWhatComes) {
   PaperPress press;
-  const StrengthFit f = fit(laboratory(truth(1), 1), press, 200);
-  EXPECT_EQ(f.n_tests, press.n_tests);
-  EXPECT_EQ(f.n_tests, 28 * 7) << "a whole search, and no round beyond the budget";
-  EXPECT_EQ(f.longer_by, "");
-  EXPECT_GT(f.n_coarse, 0);
-  EXPECT_EQ(press.n_announced, f.n_tests + static_cast<std::int64_t>(angles.size() * seeds.size()));
+  const Searched f = fit(laboratory(truth(1), 1), press, {200});
+  EXPECT_EQ(f.counts.tests, press.n_tests);
+  EXPECT_EQ(f.counts.tests, 28 * 7) << "a whole search, and no round beyond the budget";
+  EXPECT_FALSE(f.shortage.any());
+  EXPECT_GT(f.counts.coarse, 0);
+  EXPECT_EQ(press.n_announced, f.counts.tests + static_cast<std::int64_t>(angles.size() * seeds.size()));
 }
 
 TEST(StrengthStage, SeveralThreadsFindTheSame) {
@@ -41,9 +41,9 @@ TEST(StrengthStage, AfterCoarseGrainsFewRoundsAtTheEstimateFollow) {
   const auto rounds_of = [](double scatter) {
     PaperPress press;
     press.packing_scatter = scatter;
-    const StrengthFit f = fit(laboratory(truth(1), 1), press, 1000);
-    EXPECT_EQ(f.n_coarse, 20 * 7);
-    return static_cast<double>(f.n_tests - f.n_coarse) / (4 * 7);
+    const Searched f = fit(laboratory(truth(1), 1), press, {1000});
+    EXPECT_EQ(f.counts.coarse, 20 * 7);
+    return static_cast<double>(f.counts.tests - f.counts.coarse) / (4 * 7);
   };
   EXPECT_EQ(rounds_of(0.002), 2.0);
   EXPECT_EQ(rounds_of(0.2), 4.0);
@@ -56,23 +56,24 @@ TEST(StrengthStage, TheSearchGoesOnWhileTheEstimateIsNotSettled) {
     press.packing_scatter = scatter;
     Rock rock;
     rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
-    return fit_strength(Evidence(rock, some_of(laboratory(truth(1), 1))), rock.model, seeds, budget, press,
-                        Listener{});
+    return searched(rock, some_of(laboratory(truth(1), 1)), press, budget);
   };
   const auto unsettled = [](const StrengthFit& f) {
-    return std::any_of(f.notes.begin(), f.notes.end(),
-                       [](const std::string& note) { return note.find("had not settled") != note.npos; });
+    return std::any_of(f.notes.begin(), f.notes.end(), [](const Finding& note) {
+      return note.kind == FindingKind::unsettled_tests || note.kind == FindingKind::unsettled_known ||
+             note.kind == FindingKind::unsettled_moved;
+    });
   };
   constexpr std::int64_t usual = 36 * 5, round = 4 * 5;  // tests at five angles
-  const StrengthFit calm = found(0.005, 1000), wild = found(0.2, 1000),
-                    short_of_money = found(0.2, usual + round);
+  const Searched calm = found(0.005, {1000}), wild = found(0.2, {1000}),
+                 short_of_money = found(0.2, {usual + round});
   EXPECT_FALSE(unsettled(calm));
-  EXPECT_LT(calm.n_tests, wild.n_tests);
-  EXPECT_GT(wild.n_tests, usual + round);
-  EXPECT_LE(wild.n_tests, usual + 6 * round);
-  EXPECT_EQ(short_of_money.n_tests, usual + round);
+  EXPECT_LT(calm.counts.tests, wild.counts.tests);
+  EXPECT_GT(wild.counts.tests, usual + round);
+  EXPECT_LE(wild.counts.tests, usual + 6 * round);
+  EXPECT_EQ(short_of_money.counts.tests, usual + round);
   EXPECT_TRUE(unsettled(short_of_money));
-  EXPECT_EQ(calm.longer_by, "");
+  EXPECT_FALSE(calm.shortage.any());
 }
 
 TEST(StrengthStage, EffortIsTheNumberOfPoints) {
@@ -81,22 +82,24 @@ TEST(StrengthStage, EffortIsTheNumberOfPoints) {
     press.packing_scatter = 0.005;
     Rock rock;
     rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
-    return fit_strength(Evidence(rock, some_of(laboratory(truth(1), 1))), rock.model, seeds, budget, press,
-                        Listener{});
+    return searched(rock, some_of(laboratory(truth(1), 1)), press, budget);
   };
   constexpr std::int64_t n_angles = 5;
-  const StrengthFit quick = found({1000, efforts[0]}), thorough = found({72 * n_angles, efforts[2]}),
-                    cut = found({20 * n_angles, efforts[2]}), part = found({50 * n_angles, efforts[2]}),
-                    both = found({20 * n_angles, efforts[0]});
-  EXPECT_EQ(quick.n_tests, 18 * n_angles);
-  EXPECT_EQ(quick.longer_by, "--effort normal");
-  EXPECT_EQ(thorough.n_tests, 72 * n_angles);
-  EXPECT_EQ(thorough.longer_by, "");
-  EXPECT_EQ(cut.n_tests, 20 * n_angles);
-  EXPECT_EQ(cut.longer_by, "a larger --max-tests");
-  EXPECT_EQ(both.longer_by, "--effort normal and a larger --max-tests");
-  EXPECT_EQ(part.longer_by, "") << "more than a usual search";
-  EXPECT_THAT(part.notes, testing::Contains("of the 72 points of a thorough search --max-tests paid for 50"));
+  const Searched quick = found({1000, efforts[0]}), thorough = found({72 * n_angles, efforts[2]}),
+                 cut = found({20 * n_angles, efforts[2]}), part = found({50 * n_angles, efforts[2]}),
+                 both = found({20 * n_angles, efforts[0]});
+  EXPECT_EQ(quick.counts.tests, 18 * n_angles);
+  EXPECT_TRUE(quick.shortage.of_effort && !quick.shortage.of_tests);
+  EXPECT_EQ(thorough.counts.tests, 72 * n_angles);
+  EXPECT_FALSE(thorough.shortage.any());
+  EXPECT_EQ(cut.counts.tests, 20 * n_angles);
+  EXPECT_TRUE(!cut.shortage.of_effort && cut.shortage.of_tests);
+  EXPECT_TRUE(both.shortage.of_effort && both.shortage.of_tests);
+  EXPECT_FALSE(part.shortage.any()) << "more than a usual search";
+  const Finding* note = first_of(part.notes, FindingKind::search_cut);
+  ASSERT_NE(note, nullptr);
+  EXPECT_EQ(note->number("points"), 72.0);
+  EXPECT_EQ(note->number("paid"), 50.0);
 }
 
 TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {
@@ -105,9 +108,7 @@ TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {
   rock.model.bedding.resize(1);
   const std::vector<std::int64_t> twelve = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   const auto packings = [&](std::int64_t budget) {
-    const StrengthFit f =
-        fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, twelve, budget, press, Listener{});
-    return f.fitted.front().n_packings;
+    return searched(rock, laboratory(truth(1), 1), press, {budget}, twelve).fitted.front().n_packings;
   };
   // Five and two points, two to a packing, and the estimate on two more.
   EXPECT_EQ(packings(63), 6);
@@ -120,8 +121,7 @@ TEST(StrengthStage, PackingsByPorosityAreSearchedOnCoarseGrainsToo) {
   rock.model.packing.n_grains = 0, rock.model.packing.porosity = 0.082;
   const auto n_coarse = [&] {
     PaperPress press;
-    return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, 63, press, Listener{})
-        .n_coarse;
+    return searched(rock, laboratory(truth(1), 1), press, {63}).counts.coarse;
   };
   EXPECT_EQ(n_coarse(), 7 * 7);
   rock.model.packing.radius_min *= 1.5, rock.model.packing.radius_max *= 1.5;  // some 3,300 grains: too few
@@ -139,11 +139,9 @@ TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes)
     options.max_tests = max_tests, options.effort = efforts[0];  // 18 points, no further rounds
     const Calibration c = calibrate(Evidence(rock), options, press);
     for (const Comparison& row : c.verification) EXPECT_EQ(row.n_packings, c.verification.front().n_packings);
-    const bool told = std::any_of(c.notes.begin(), c.notes.end(), [](const std::string& note) {
-      return note.find("unseen ones were taken") != note.npos;
-    });
-    EXPECT_EQ(told, c.verification.front().n_packings > 5);
-    EXPECT_EQ(c.n_strength_tests, n_search + c.verification.front().n_packings);
+    const bool noted = first_of(c.notes, FindingKind::packings_added) != nullptr;
+    EXPECT_EQ(noted, c.verification.front().n_packings > 5);
+    EXPECT_EQ(c.counts.tests, n_search + c.verification.front().n_packings);
     return c.verification.front().n_packings;
   };
   EXPECT_EQ(n_unseen(0.02, 1000), 5);
@@ -156,8 +154,9 @@ TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes)
 TEST(StrengthStage, StopsWhenTheUserDoes) {
   PaperPress press;
   press.stop_after = 100;
-  const StrengthFit f = fit(laboratory(truth(1), 1), press);
-  EXPECT_TRUE(f.interrupted);
+  const Searched f = fit(laboratory(truth(1), 1), press);
+  EXPECT_TRUE(f.stopped);
+  EXPECT_EQ(f.recipe.packing.n_grains, Recipe().packing.n_grains) << "what was known until then";
   EXPECT_TRUE(f.parameters.empty());
 }
 

@@ -7,10 +7,12 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
-#include "calibrate/margin.hpp"
 #include "calibrate/prior_regression.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
+
+using verdict::tolerance;
 
 namespace {
 
@@ -126,7 +128,7 @@ double StrengthPosterior::variance(const Target& t) {
   return relative * relative;
 }
 
-void StrengthPosterior::count_errors() { errors_count_ = true; }
+void StrengthPosterior::use_full_errors() { errors_count_ = true; }
 
 double StrengthPosterior::counted(Property property, double squared) const {
   return errors_count_ ? squared : std::min(squared, std::pow(0.5 * tolerance(property), 2.0));
@@ -234,7 +236,7 @@ std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t 
 
 Mixing StrengthPosterior::mixing_of(const std::vector<Point>& draws) { return mixing(draws, n_walkers); }
 
-std::vector<Point> StrengthPosterior::settled_draws(std::uint32_t seed, int length) {
+std::vector<Point> StrengthPosterior::draws_with_discrepancy(std::uint32_t seed, int length) {
   std::vector<Point> settling = draws(none, seed, length);
   // what one property misses draws the others along until its own discrepancy is known
   for (int pass = 0; pass < most_passes && find_discrepancy(settling); ++pass)

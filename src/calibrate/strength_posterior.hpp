@@ -82,13 +82,13 @@ class StrengthPosterior {
   static Mixing mixing_of(const std::vector<Point>& draws);
   /// The same from all targets, with the discrepancies that they ask for: what the best of the draws misses
   /// of a property beyond scatter and ignorance becomes part of its variances, and draws are made anew.
-  std::vector<Point> settled_draws(std::uint32_t seed, int length = 1);
+  std::vector<Point> draws_with_discrepancy(std::uint32_t seed, int length = 1);
   /// d^2 of the property of a target.
   double discrepancy(std::size_t target) const;
   /// The search aims at the laboratory's means as if no error were above half of the tolerance: where all of
   /// many draws lie within the scatter of few specimens, hardly one lies near every mean. From here on errors
   /// count in full, as the intervals have to.
-  void count_errors();
+  void use_full_errors();
   /// What a logarithm of the laboratory may be off a rock of which all is known: scatter and discrepancy.
   double tolerated(std::size_t target) const { return scatter_of(target) + discrepancy(target); }
 

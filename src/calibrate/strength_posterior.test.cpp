@@ -69,7 +69,7 @@ class Answered : public testing::Test {
 };
 
 TEST_F(Answered, IntervalsKnowThatOnePackingServesAllAngles) {
-  posterior_.count_errors();
+  posterior_.use_full_errors();
   for (std::uint32_t k = 0; k < 20; ++k) {
     Point x = middle_;
     for (std::size_t j = 0; j < x.size(); ++j)
@@ -89,7 +89,7 @@ TEST_F(Answered, TheScaleIsKnownLessWell) {
     return -(at(more) - 2.0 * at(middle_) + at(less)) / (h * h);
   };
   const double searching = curvature();
-  posterior_.count_errors();
+  posterior_.use_full_errors();
   EXPECT_LT(curvature(), 0.99 * searching);
 }
 

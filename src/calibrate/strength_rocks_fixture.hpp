@@ -54,10 +54,27 @@ inline std::vector<Target> some_of(std::vector<Target> targets) {
   return targets;
 }
 
-inline StrengthFit fit(const std::vector<Target>& targets, PaperPress& press, const Budget& budget = 252) {
+/// A search and what the press was asked for.
+struct Searched : StrengthFit {
+  SimulatorCount counts;
+  bool stopped = false;
+};
+inline Searched searched(const Rock& rock, const std::vector<Target>& targets, PaperPress& press,
+                         const Budget& budget, const std::vector<std::int64_t>& packings = seeds) {
+  const Evidence evidence(rock, targets);
+  Searched found;
+  try {
+    fit_strength({evidence, rock.model, packings, budget, press, Listener{}}, found);
+  } catch (const Stopped&) {
+    found.stopped = true;
+  }
+  found.counts = press.count();
+  return found;
+}
+inline Searched fit(const std::vector<Target>& targets, PaperPress& press, const Budget& budget = {252}) {
   Rock rock;
   rock.model.bedding.resize(1);
-  return fit_strength(Evidence(rock, targets), rock.model, seeds, budget, press, Listener{});
+  return searched(rock, targets, press, budget);
 }
 
 /// A rock of strengths only.

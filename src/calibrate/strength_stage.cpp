@@ -1,187 +1,49 @@
 #include "calibrate/strength_stage.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <utility>
 
-#include "base/lines.hpp"
 #include "base/parallel.hpp"
 #include "base/rng.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/margin.hpp"
 #include "calibrate/nearest.hpp"
 #include "calibrate/posterior_ensemble.hpp"
+#include "calibrate/search_plan.hpp"
 #include "calibrate/strength_posterior.hpp"
+#include "calibrate/strength_tests.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
 
-/// What lies on which grains.
-enum class Grains : std::uint8_t {
-  own,               ///< the recipe's
-  coarse_then_own,   ///< and a batch over the draws on the recipe's
-  coarse_then_there  ///< and then the estimate: half of the rounds
-};
+using verdict::tolerance;
 
-/// What coarse grains leave to be learnt is by how much the recipe's own differ. For UCS alone that counts at
-/// the estimate; strengths of other tests tell parameters that UCS leaves open (friction, slits), and how
-/// they change beside the estimate is best asked of the recipe's own grains (docs/decisions/0006).
-Grains grains_of(const Recipe& recipe, const std::vector<Target>& targets) {
-  if (!has_coarse(recipe)) return Grains::own;
-  const bool ucs_alone = std::all_of(targets.begin(), targets.end(),
-                                     [](const Target& t) { return t.property == Property::ucs; });
-  return ucs_alone ? Grains::coarse_then_there : Grains::coarse_then_own;
-}
-
-/// Points of a whole search: the more is sought, the more of them.
-std::int64_t most_points(std::size_t n_ratios, const Effort& effort, Grains grains) {
-  constexpr double usual = 36.0, per_ratio = 6.0, without_a_batch = 7.0 / 9.0;
-  return std::llround(effort.points * std::max(usual, per_ratio * static_cast<double>(n_ratios)) *
-                      (grains == Grains::coarse_then_there ? without_a_batch : 1.0));
-}
-/// What would have allowed all points of a usual search, `usual`; empty: it had them.
-std::string lengthened_by(const Budget& budget, std::int64_t usual, std::int64_t n_compressive) {
-  const bool too_quick = budget.effort.points < normal_effort.points,
-             too_few = budget.max_tests < usual * n_compressive;
-  std::vector<std::string> options;
-  if (too_quick) options.push_back(fmt::format("--effort {}", normal_effort.name));
-  if (too_few) options.emplace_back("a larger --max-tests");
-  return fmt::format("{}", fmt::join(options, " and "));
-}
-/// Of a search that was to be longer than usual.
-void report_cut(const Budget& budget, std::int64_t most, std::int64_t n_compressive, StrengthFit& fit) {
-  const std::int64_t paid = budget.max_tests / n_compressive;
-  if (budget.effort.points > normal_effort.points && paid < most && fit.longer_by.empty())
-    fit.notes.push_back(fmt::format("of the {} points of a {} search --max-tests paid for {}", most,
-                                    budget.effort.name, paid));
-}
 constexpr std::uint32_t sampler_seed = 20100101;
 // Of the chains behind the intervals, in those of the search: as long as their draws are worth too little.
 constexpr int final_length = 4, longest_final = 16;
-constexpr double least_effective = 200.0, most_r_hat = 1.05;  // of draws that pass without a word
+constexpr double least_effective = 200.0, most_r_hat = 1.05;  // of draws that pass
+constexpr std::size_t fewest_to_leave_out = 4;                // targets
 
-struct Batch {
-  bool coarse;
-  bool at_estimate;  ///< all at one point, on as many packings; else spread over the draws
-  std::size_t n_points;
-};
-constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 // More rounds, as many as the effort allows, while tests at the estimate are off what was predicted for it by
 // more than chance makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of
 // UCS), or while the estimate moves on to where less is known than where it was tried, or to where too little
 // is known: the nearest of several valleys may change with every round, and one that was hardly tried is no
-// answer. Of specimens so large that coarse grains are taken a third as many where the plan was short, else
-// none: a round of them costs more than all tests on coarse grains.
+// answer.
 constexpr double most_surprise = 0.6;   // tolerances
 constexpr double most_growth = 1.2;     // of the uncertainty
 constexpr double most_uncertain = 0.4;  // tolerances
-/// A third of the points and two ninths over the draws, on coarse grains where there are any, and the rest in
-/// rounds at the estimate, which each of them moves; of 36: 12, 8 and 16. With a batch on the recipe's own
-/// grains 12, 8, 8 and 8; from coarse grains to the estimate at once, of 28: 12, 8 and 8. Every point costs
-/// `n_compressive` of the tests.
-std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
-                        Grains grains) {
-  const std::int64_t points = std::clamp(max_tests / n_compressive, least_points, most);
-  const bool coarse = grains != Grains::own;
-  const std::int64_t n_alike = grains == Grains::coarse_then_there ? 2 : 3,  // parts behind the first
-      last = std::max<std::int64_t>(1, points * 2 / (2 * n_alike + 3));
-  const auto n_last = static_cast<std::size_t>(last),
-             n_first = static_cast<std::size_t>(points - n_alike * last);
-  std::vector<Batch> batches = {{coarse, false, n_first}, {coarse, false, n_last}};
-  if (grains == Grains::coarse_then_own) batches.push_back({false, false, n_last});
-  for (std::size_t left = coarse ? n_last : 2 * n_last; left > 0;) {
-    const std::size_t n = left < 2 * per_round ? left : per_round;
-    batches.push_back({false, true, n}), left -= n;
-  }
-  return batches;
-}
-
-std::size_t further_rounds(const Effort& effort, Grains grains) {
-  if (grains == Grains::own) return effort.further;
-  return grains == Grains::coarse_then_there ? effort.further / 3 : 0;
-}
-
-/// Deals the packings out. Neighbouring points of a spread batch share one: two points of seven angles fill
-/// sixteen lanes. At one point every test has a packing of its own.
-class Packings {
- public:
-  explicit Packings(std::size_t n) : n_(n) {}
-  std::vector<std::size_t> of(const Batch& batch) {
-    constexpr std::size_t points_per_packing = 2;
-    std::vector<std::size_t> dealt;
-    for (std::size_t p = 0; p < batch.n_points; ++p) {
-      if (p > 0 && (batch.at_estimate || p % points_per_packing == 0)) ++next_;
-      dealt.push_back(next_ % n_);
-    }
-    ++next_;
-    return dealt;
-  }
-  /// Of how many the answers are.
-  std::size_t behind() const { return std::min(n_, next_); }
-
- private:
-  std::size_t n_, next_ = 0;
-};
-
 /// Points of a batch and the packing of each, by its place among the seeds.
 struct Design {
-  bool coarse;
+  Grains grains;
   std::vector<Point> points;
   std::vector<std::size_t> packings;
 };
-
-const Loading& loading_of(bool learns_moduli) {
-  return learns_moduli ? search_with_moduli : search_of_strengths;
-}
-
-std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthTests& tests,
-                             const Design& design, const Recipe& recipe,
-                             const std::vector<std::int64_t>& seeds, const Loading& loading) {
-  std::vector<Recipe> recipes;
-  for (std::size_t p = 0; p < design.points.size(); ++p) {
-    const Recipe point = posterior.recipe_at(design.coarse ? coarse(recipe) : recipe, design.points[p]);
-    for (std::size_t i = 0; i < posterior.n_targets(); ++i)
-      recipes.push_back(tests.of(point, i, seeds[design.packings[p]], loading,
-                                 std::exp(posterior.predict(design.points[p], i).mean)));
-  }
-  return recipes;
-}
-
-/// Solutions of the specimens behind tests that moduli are read from, one of those that lie on the same
-/// packing at the same inclination: they differ in strengths alone. `model`: of the elastic stage.
-void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const Design& design,
-                     const Recipe& model, const std::vector<Recipe>& recipes,
-                     const std::vector<TestResult>& results, Simulator& simulator,
-                     std::int64_t& n_solutions) {
-  std::map<std::pair<std::int64_t, double>, std::size_t> solved;
-  std::vector<Recipe> specimens;
-  const auto target_of = [&](std::size_t k) -> const Target& {
-    return posterior.targets()[k % posterior.n_targets()];
-  };
-  const auto name_of = [&](std::size_t k) { return std::pair{recipes[k].packing.seed, target_of(k).theta}; };
-  for (std::size_t k = 0; k < recipes.size(); ++k)
-    if (read.reads(target_of(k)) && solved.emplace(name_of(k), specimens.size()).second)
-      specimens.push_back(as_for_moduli(recipes[k], model));
-  const std::vector<ElasticResult> solutions = simulator.elastic(specimens, Statics::one_sided);
-  n_solutions += static_cast<std::int64_t>(specimens.size());
-  for (std::size_t k = 0; k < recipes.size(); ++k) {
-    if (!read.reads(target_of(k))) continue;
-    const std::size_t p = k / posterior.n_targets();
-    // coarse grains soften alike, on packings of their own
-    const std::size_t packing = design.packings[p] + (design.coarse ? 1000 : 0);
-    read.add(target_of(k),
-             {posterior.inputs(design.points[p], k % posterior.n_targets()), static_cast<int>(packing)},
-             results[k], solutions[solved.at(name_of(k))]);
-  }
-  read.learn();
-}
 
 /// How far tests are off what was predicted for their points: mean per target, in tolerances, root mean
 /// square over the targets.
@@ -212,51 +74,14 @@ double uncertainty_at(const StrengthPosterior& posterior, const Point& x) {
   return std::sqrt(sum / static_cast<double>(posterior.n_targets()));
 }
 
-/// Runs a batch and hands its answers to the surrogates; tells by how much they surprise. Nothing: stopped.
-std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTests& tests,
-                                const Design& design, const std::vector<std::int64_t>& seeds,
-                                const Recipe& model, Simulator& simulator, StrengthFit& fit,
-                                ReadModuli* read) {
-  const std::vector<Point>& points = design.points;
-  const std::vector<Recipe> recipes =
-      tests_at(posterior, tests, design, fit.recipe, seeds, loading_of(read != nullptr));
-  const std::vector<TestResult> results = simulator.test(recipes);
-  if (simulator.stopped()) return {};
-  Surprise surprise(posterior.n_targets());
-  if (read != nullptr)
-    learn_softening(*read, posterior, design, model, recipes, results, simulator, fit.n_solutions);
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
-    const Property property = posterior.targets()[i].property;
-    const double strength =
-        strength_of(results[k], property) / (design.coarse ? coarse_growth(property) : 1.0);
-    const bool own = !is_read_before_ucs(property);  // a test of its own
-    if (std::isfinite(strength)) {
-      surprise.add(i, strength / std::exp(posterior.predict(points[p], i).mean), property);
-      posterior.add_run(i, {posterior.inputs(points[p], i), static_cast<int>(design.packings[p]),
-                            design.coarse, std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
-    } else if (own) {
-      ++fit.n_without_peak;
-    }
-    if (!own) continue;
-    ++fit.n_tests;
-    fit.n_tension += is_compressive(property) ? 0 : 1;
-    fit.n_coarse += design.coarse ? 1 : 0;
-  }
-  return surprise.rms();
-}
-
-/// What speaks for another round after one at `tried`; empty: nothing.
-std::string unsettled(const StrengthPosterior& posterior, const Point& estimate, const Point& tried,
-                      double surprise) {
+/// Why the search should continue after a round at `tried`; nothing: the estimate has settled.
+std::optional<Finding> unsettled(const StrengthPosterior& posterior, const Point& estimate,
+                                 const Point& tried, double surprise) {
   const double unknown = uncertainty_at(posterior, estimate);
-  if (surprise > most_surprise)
-    return fmt::format("tests there were {:.1f} tolerances off what was predicted", surprise);
-  if (unknown > most_uncertain)
-    return fmt::format("its strengths are known to {:.1f} tolerances, no better", unknown);
-  if (unknown > most_growth * uncertainty_at(posterior, tried))
-    return "it moved on to where less is known than where it was tried";
-  return "";
+  if (surprise > most_surprise) return Finding{FindingKind::unsettled_tests, {}, {{"tolerances", surprise}}};
+  if (unknown > most_uncertain) return Finding{FindingKind::unsettled_known, {}, {{"tolerances", unknown}}};
+  if (unknown > most_growth * uncertainty_at(posterior, tried)) return Finding{FindingKind::unsettled_moved};
+  return {};
 }
 
 /// 2.5 % and 97.5 % of a set of numbers.
@@ -313,13 +138,6 @@ std::vector<Estimate> estimates_of(const StrengthPosterior& posterior, const std
   return all;
 }
 
-void report_parameters(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& best,
-                       StrengthFit& fit) {
-  fit.parameters = estimates_of(posterior, draws, best);
-  for (const StrengthParameter* p : posterior.parameters())
-    if (p->over != nullptr) fit.parameters.push_back(strength_behind(*p, posterior, draws, fit.recipe));
-}
-
 /// A target's row: `centre` and the 95 % interval of the rock's own strength over all draws. Given a draw,
 /// the strength is known from two sides: surrogate and, unless it was left out, laboratory.
 Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point>& draws, double centre,
@@ -345,34 +163,9 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
   return c;
 }
 
-/// `best`: the estimate.
-void report(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& best,
-            std::size_t n_packings, int threads, StrengthFit& fit) {
-  fit.recipe = posterior.recipe_at(fit.recipe, best);
-  report_parameters(posterior, draws, best, fit);
-  for (const Point& x : evenly_taken(draws, ensemble_size))
-    fit.draws.push_back(posterior.recipe_at(fit.recipe, x));
-  for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
-    Comparison c = predicted(posterior, draws, posterior.predict(best, i).mean, i, false);
-    c.n_packings = static_cast<int>(n_packings);
-    fit.fitted.push_back(c);
-  }
-  if (posterior.n_targets() < 4) return;
-  fit.left_out.resize(posterior.n_targets());
-  for_all(posterior.n_targets(), threads, [&] {
-    return [&](std::size_t i) {
-      const std::vector<Point> others =
-          posterior.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
-      // the estimate that the calibration would have ended with
-      const Point without = nearest_point(posterior, others, i);
-      fit.left_out[i] = predicted(posterior, others, posterior.predict(without, i).mean, i, true);
-    };
-  });
-}
-
 /// Those behind the intervals.
 std::vector<Point> final_draws(StrengthPosterior& posterior, std::uint32_t seed) {
-  std::vector<Point> draws = posterior.settled_draws(seed, final_length);
+  std::vector<Point> draws = posterior.draws_with_discrepancy(seed, final_length);
   for (int length = 2 * final_length; length <= longest_final; length *= 2) {
     if (StrengthPosterior::mixing_of(draws).effective >= least_effective) break;
     draws = posterior.draws(StrengthPosterior::none, seed, length);
@@ -380,136 +173,256 @@ std::vector<Point> final_draws(StrengthPosterior& posterior, std::uint32_t seed)
   return draws;
 }
 
-/// How far the draws behind the intervals can be trusted; said where it is not far.
-void report_mixing(const std::vector<Point>& draws, StrengthFit& fit) {
-  fit.mixing = StrengthPosterior::mixing_of(draws);
-  if (fit.mixing.effective < least_effective || fit.mixing.r_hat > most_r_hat)
-    fit.notes.push_back(
-        fmt::format("the {} draws behind the intervals of the strengths are worth {:.0f} independent ones "
-                    "(R-hat {:.2f}): "
-                    "their ends are rough",
-                    draws.size(), fit.mixing.effective, fit.mixing.r_hat));
-}
-
-/// Targets that no test has answered.
-void report_silent(const StrengthPosterior& posterior, StrengthFit& fit) {
-  for (const Target& t : posterior.without_runs()) {
-    Comparison silent;
-    silent.target = t;
-    fit.fitted.push_back(silent);
-    add_line(fit.findings, cell_name(t), "no test gave a usable peak: strengths were not fitted");
+class StrengthSearch {
+ public:
+  StrengthSearch(const SearchTask& task, StrengthFit& fit)
+      : task_(task),
+        targets_(task.evidence.strengths),
+        fit_(fit),
+        first_test_(task.simulator.count().compression()),
+        settings_(test_settings(task.recipe, targets_, task.seeds.front(), task.simulator)),
+        read_(task.evidence),
+        posterior_(task.evidence, task.recipe, task.refit ? &read_ : nullptr),
+        tests_(settings_, targets_, task.seeds.front(), task.simulator),
+        course_(course_of(settings_, targets_)),
+        plan_(plan_search(task.budget, posterior_.parameters().size() - 1,  // sigma_c costs no run
+                          task.evidence.n_compressive(), course_)),
+        dealer_(task.seeds.size()) {
+    fit_.recipe = settings_, fit_.shortage = plan_.shortage;
+    if (plan_.cut) fit_.notes.push_back(*plan_.cut);
   }
-}
 
-/// Says once how many tests of all batches came to nothing.
-void report_without_peak(StrengthFit& fit) {
-  if (fit.n_without_peak > 0)
-    fit.notes.push_back(fmt::format("{} of {} tests of the search gave no usable peak and were left out",
-                                    fit.n_without_peak, fit.n_tests));
-}
-
-/// All tests to come, the verification included, at the middle of the box.
-void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
-              const std::vector<Batch>& batches, const Recipe& recipe, const std::vector<std::int64_t>& seeds,
-              bool learns_moduli, Simulator& simulator) {
-  std::vector<Recipe> all;
-  const Point middle = posterior.middle_of_box();
-  Packings packings(seeds.size());
-  for (const Batch& b : batches) {
-    const Design design = {b.coarse, std::vector<Point>(b.n_points, middle), packings.of(b)};
-    const std::vector<Recipe> some =
-        tests_at(posterior, tests, design, recipe, seeds, loading_of(learns_moduli));
-    all.insert(all.end(), some.begin(), some.end());
+  void run() {
+    const std::size_t n_planned = plan_.batches.size();
+    learn(0);  // from the prior mean alone
+    announce();
+    for (std::size_t b = 0; b < plan_.batches.size(); ++b) {
+      const Point tried = estimate_;
+      const double surprise = run_batch(b);
+      if (!posterior_.without_runs().empty()) return report_silent();
+      if (task_.refit) refit_moduli();
+      learn(b + 1);
+      // The first tests on the recipe's own grains surprise by what coarse ones are off, whatever the
+      // estimate.
+      const bool none_follow = course_ != Course::own && plan_.most_batches == n_planned;
+      if (b + 1 < plan_.batches.size() || none_follow) continue;
+      if (const auto why = unsettled(posterior_, estimate_, tried, surprise)) go_on(*why);
+    }
+    report();
   }
-  const Loadings verification = of_verification(learns_moduli, {});
-  for (std::size_t i = 0; i < posterior.n_targets(); ++i)
-    for (int k = 0; k < verification_packings; ++k)
-      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(),
-                             k == 0 ? verification.first : verification.others));
-  simulator.announce(all);
-}
+
+  /// Says once how many tests of all batches came to nothing.
+  void report_without_peak() {
+    if (fit_.n_without_peak > 0)
+      fit_.notes.push_back(
+          {FindingKind::peaks_left_out,
+           {},
+           {{"tests", static_cast<double>(fit_.n_without_peak)}, {"of", static_cast<double>(n_tests_)}}});
+  }
+
+ private:
+  const SearchTask& task_;
+  const std::vector<Target>& targets_;
+  StrengthFit& fit_;
+  std::int64_t first_test_;  ///< in compression
+  Recipe settings_;
+  ReadModuli read_;
+  StrengthPosterior posterior_;
+  StrengthTests tests_;
+  Course course_;
+  SearchPlan plan_;
+  PackingDealer dealer_;
+  std::vector<Point> draws_;
+  Point estimate_;
+  std::int64_t n_tests_ = 0;
+
+  void learn(std::size_t n_batches) {
+    posterior_.learn();
+    draws_ = posterior_.draws_with_discrepancy(sampler_seed + static_cast<std::uint32_t>(n_batches));
+    estimate_ = nearest_point(posterior_, draws_);
+    const std::vector<Estimate> known = estimates_of(posterior_, draws_, estimate_);
+    task_.listener.estimates({known.begin(), known.end()});
+  }
+
+  const Loading& loading() const { return task_.refit ? search_with_moduli : search_of_strengths; }
+
+  std::vector<Recipe> recipes_of(const Design& design) const {
+    std::vector<Recipe> recipes;
+    for (std::size_t p = 0; p < design.points.size(); ++p) {
+      const Recipe point = posterior_.recipe_at(
+          design.grains == Grains::coarse ? coarse(fit_.recipe) : fit_.recipe, design.points[p]);
+      for (std::size_t i = 0; i < targets_.size(); ++i)
+        recipes.push_back(tests_.of(point, i, task_.seeds[design.packings[p]], loading(),
+                                    std::exp(posterior_.predict(design.points[p], i).mean)));
+    }
+    return recipes;
+  }
+
+  /// All tests to come, the verification included, at the middle of the box.
+  void announce() {
+    std::vector<Recipe> all;
+    const Point middle = posterior_.middle_of_box();
+    PackingDealer packings(task_.seeds.size());
+    for (const Batch& b : plan_.batches)
+      for (Recipe& r : recipes_of({b.grains, std::vector<Point>(b.n_points, middle), packings.deal(b)}))
+        all.push_back(std::move(r));
+    const Loadings verification = of_verification(static_cast<bool>(task_.refit), {});
+    for (std::size_t i = 0; i < targets_.size(); ++i)
+      for (int k = 0; k < verification_packings; ++k)
+        all.push_back(tests_.of(posterior_.recipe_at(fit_.recipe, middle), i, task_.seeds.front(),
+                                k == 0 ? verification.first : verification.others));
+    task_.simulator.announce(all);
+  }
+
+  /// Runs a batch and hands its answers to the surrogates; by how much they surprise.
+  double run_batch(std::size_t b) {
+    const Batch& batch = plan_.batches[b];
+    const Design design = {batch.grains,
+                           batch.at_estimate ? std::vector<Point>(batch.n_points, estimate_)
+                                             : spread_draws(estimate_, draws_, batch.n_points),
+                           dealer_.deal(batch)};
+    task_.listener.say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1,
+                                   plan_.batches.size(), batch.n_points,
+                                   batch.at_estimate ? "packings at the estimate" : "points", targets_.size(),
+                                   batch.grains == Grains::coarse ? " on coarse grains" : ""));
+    const std::vector<Recipe> recipes = recipes_of(design);
+    const std::vector<TestResult> results = task_.simulator.test(recipes, batch.grains);
+    if (task_.refit) learn_softening(design, recipes, results);
+    return learn_strengths(design, results);
+  }
+
+  /// Solutions of the specimens behind tests that moduli are read from, one of those that lie on the same
+  /// packing at the same inclination: they differ in strengths alone.
+  void learn_softening(const Design& design, const std::vector<Recipe>& recipes,
+                       const std::vector<TestResult>& results) {
+    std::map<std::pair<std::int64_t, double>, std::size_t> solved;
+    std::vector<Recipe> specimens;
+    const auto target_of = [&](std::size_t k) -> const Target& { return targets_[k % targets_.size()]; };
+    const auto name_of = [&](std::size_t k) {
+      return std::pair{recipes[k].packing.seed, target_of(k).theta};
+    };
+    for (std::size_t k = 0; k < recipes.size(); ++k)
+      if (read_.reads(target_of(k)) && solved.emplace(name_of(k), specimens.size()).second)
+        specimens.push_back(as_for_moduli(recipes[k], task_.recipe));
+    const std::vector<ElasticResult> solutions = task_.simulator.elastic(specimens, Statics::one_sided);
+    for (std::size_t k = 0; k < recipes.size(); ++k) {
+      if (!read_.reads(target_of(k))) continue;
+      const std::size_t p = k / targets_.size();
+      // coarse grains soften alike, on packings of their own
+      const std::size_t packing = design.packings[p] + (design.grains == Grains::coarse ? 1000 : 0);
+      read_.add(target_of(k),
+                {posterior_.inputs(design.points[p], k % targets_.size()), static_cast<int>(packing)},
+                results[k], solutions[solved.at(name_of(k))]);
+    }
+    read_.learn();
+  }
+
+  double learn_strengths(const Design& design, const std::vector<TestResult>& results) {
+    Surprise surprise(targets_.size());
+    const bool on_coarse = design.grains == Grains::coarse;
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      const std::size_t p = k / targets_.size(), i = k % targets_.size();
+      const Property property = targets_[i].property;
+      const Point& point = design.points[p];
+      const bool own = !is_read_before_ucs(property);  // a test of its own
+      n_tests_ += own ? 1 : 0;
+      const double strength = strength_of(results[k], property) / (on_coarse ? coarse_growth(property) : 1.0);
+      if (!std::isfinite(strength)) {
+        fit_.n_without_peak += own ? 1 : 0;
+        continue;
+      }
+      surprise.add(i, strength / std::exp(posterior_.predict(point, i).mean), property);
+      posterior_.add_run(i, {posterior_.inputs(point, i), static_cast<int>(design.packings[p]), on_coarse,
+                             std::log(strength) - StrengthPosterior::log_sigma_c(point)});
+    }
+    return surprise.rms();
+  }
+
+  /// For where the new tests put the estimate among the previous draws.
+  void refit_moduli() {
+    posterior_.learn();
+    estimate_ = nearest_point(posterior_, draws_);
+    fit_.softenings = read_.at(posterior_.places(estimate_));
+    const RefittedModuli anew = task_.refit(fit_.softenings);
+    fit_.recipe = with_moduli(fit_.recipe, anew.recipe);
+    read_.take_solution(anew.solution);
+    posterior_.take_moduli(task_.evidence, fit_.recipe);
+  }
+
+  /// Another round, where rounds and budget allow it; else the reason is noted.
+  void go_on(const Finding& why) {
+    const std::int64_t spent = task_.simulator.count().compression() - first_test_,
+                       round = task_.evidence.n_compressive() * static_cast<std::int64_t>(packings_per_round);
+    if (plan_.batches.size() < plan_.most_batches && spent + round <= task_.budget.max_tests)
+      plan_.batches.push_back({Grains::own, true, packings_per_round});
+    else
+      fit_.notes.push_back(why);
+  }
+
+  /// Targets that no test has answered.
+  void report_silent() {
+    for (const Target& t : posterior_.without_runs()) {
+      Comparison silent;
+      silent.target = t;
+      fit_.fitted.push_back(silent);
+      fit_.findings.push_back({FindingKind::search_unanswered, {cell_of(t)}});
+    }
+  }
+
+  void report() {
+    posterior_.use_full_errors();
+    draws_ = final_draws(posterior_, sampler_seed + static_cast<std::uint32_t>(plan_.batches.size()));
+    fit_.recipe = posterior_.recipe_at(fit_.recipe, estimate_);
+    fit_.parameters = estimates_of(posterior_, draws_, estimate_);
+    for (const StrengthParameter* p : posterior_.parameters())
+      if (p->over != nullptr) fit_.parameters.push_back(strength_behind(*p, posterior_, draws_, fit_.recipe));
+    for (const Point& x : evenly_taken(draws_, ensemble_size))
+      fit_.draws.push_back(posterior_.recipe_at(fit_.recipe, x));
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      Comparison c = predicted(posterior_, draws_, posterior_.predict(estimate_, i).mean, i, false);
+      c.n_packings = static_cast<int>(dealer_.dealt());
+      fit_.fitted.push_back(c);
+    }
+    if (targets_.size() >= fewest_to_leave_out) leave_out();
+    report_mixing();
+  }
+
+  /// Each target by the estimate that the calibration would have ended with without it.
+  void leave_out() {
+    fit_.left_out.resize(targets_.size());
+    for_all(targets_.size(), task_.simulator.threads(), [&] {
+      return [&](std::size_t i) {
+        const std::vector<Point> others =
+            posterior_.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
+        const Point without = nearest_point(posterior_, others, i);
+        fit_.left_out[i] = predicted(posterior_, others, posterior_.predict(without, i).mean, i, true);
+      };
+    });
+  }
+
+  /// How far the draws behind the intervals can be trusted; said where it is not far.
+  void report_mixing() {
+    fit_.mixing = StrengthPosterior::mixing_of(draws_);
+    if (fit_.mixing.effective < least_effective || fit_.mixing.r_hat > most_r_hat)
+      fit_.notes.push_back({FindingKind::draws_rough,
+                            {},
+                            {{"draws", static_cast<double>(draws_.size())},
+                             {"effective", fit_.mixing.effective},
+                             {"r_hat", fit_.mixing.r_hat}}});
+  }
+};
 
 }  // namespace
 
-Recipe with_moduli(Recipe recipe, const Recipe& moduli) {
-  for (const ElasticParameter* p : elastic_parameters(recipe)) p->set(recipe, p->get(moduli));
-  return recipe;
-}
-
-StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
-                         const std::vector<std::int64_t>& seeds, const Budget& budget, Simulator& simulator,
-                         const Listener& listener, const Remodel& remodel) {
-  StrengthFit fit;
-  const std::vector<Target>& targets = evidence.strengths;
-  fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
-  ReadModuli read(evidence);
-  StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr);
-  const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
-  const std::int64_t n_compressive = evidence.n_compressive();
-  const std::size_t n_ratios = posterior.parameters().size() - 1;  // sigma_c costs no run
-  const Grains grains = grains_of(fit.recipe, targets);
-  const std::int64_t most = most_points(n_ratios, budget.effort, grains);
-  std::vector<Batch> batches = plan(budget.max_tests, n_compressive, most, grains);
-  const std::size_t n_planned = batches.size(), n_further = further_rounds(budget.effort, grains);
-  fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort, grains), n_compressive);
-  report_cut(budget, most, n_compressive, fit);
-  std::vector<Point> draws;
-  Point estimate;
-  const auto learn = [&](std::size_t n_batches) {
-    posterior.learn();
-    draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(n_batches));
-    estimate = nearest_point(posterior, draws);
-    const std::vector<Estimate> known = estimates_of(posterior, draws, estimate);
-    listener.estimates({known.begin(), known.end()});
-  };
-  learn(0);  // from the prior mean alone
-  announce(posterior, tests, batches, fit.recipe, seeds, remodel != nullptr, simulator);
-  Packings packings(seeds.size());
-  for (std::size_t b = 0; b < batches.size(); ++b) {
-    const Batch batch = batches[b];
-    const Point tried = estimate;
-    const Design design = {batch.coarse,
-                           batch.at_estimate ? std::vector<Point>(batch.n_points, tried)
-                                             : spread_draws(tried, draws, batch.n_points),
-                           packings.of(batch)};
-    listener.say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1, batches.size(),
-                             batch.n_points, batch.at_estimate ? "packings at the estimate" : "points",
-                             targets.size(), batch.coarse ? " on coarse grains" : ""));
-    const auto surprise =
-        run_batch(posterior, tests, design, seeds, recipe, simulator, fit, remodel ? &read : nullptr);
-    if (!surprise || !posterior.without_runs().empty()) {
-      fit.interrupted = !surprise;
-      if (surprise) report_silent(posterior, fit);
-      report_without_peak(fit);
-      return fit;
-    }
-    if (remodel) {  // for where the new tests put the estimate among the draws of before
-      posterior.learn();
-      estimate = nearest_point(posterior, draws);
-      fit.softenings = read.at(posterior.places(estimate));
-      const Remodelled anew = remodel(fit.softenings);
-      fit.recipe = with_moduli(fit.recipe, anew.recipe);
-      read.take_solution(anew.solution);
-      posterior.take_moduli(evidence, fit.recipe);
-    }
-    learn(b + 1);
-    // The first tests on the recipe's own grains surprise by what coarse ones are off, whatever the estimate.
-    if (b + 1 < batches.size() || (grains != Grains::own && n_further == 0)) continue;
-    const std::string why = unsettled(posterior, estimate, tried, *surprise);
-    if (why.empty()) continue;
-    const std::int64_t paid =
-        fit.n_tests - fit.n_tension + n_compressive * static_cast<std::int64_t>(per_round);
-    if (b + 1 < n_planned + n_further && paid <= budget.max_tests)
-      batches.push_back({false, true, per_round});
-    else
-      fit.notes.push_back("the estimate of the strengths had not settled when the search ended: " + why);
+void fit_strength(const SearchTask& task, StrengthFit& fit) {
+  StrengthSearch search(task, fit);
+  try {
+    search.run();
+  } catch (const Stopped&) {
+    search.report_without_peak();
+    throw;
   }
-  posterior.count_errors();
-  draws = final_draws(posterior, sampler_seed + static_cast<std::uint32_t>(batches.size()));
-  report(posterior, draws, estimate, packings.behind(), simulator.threads(), fit);
-  report_mixing(draws, fit);
-  report_without_peak(fit);
-  return fit;
+  search.report_without_peak();
 }
 
 }  // namespace phy::calibrate

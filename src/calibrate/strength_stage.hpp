@@ -19,15 +19,10 @@
 #include "calibrate/listener.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/softening.hpp"
-#include "calibrate/strength_tests.hpp"
 
 namespace phy::calibrate {
 
-/// Fewest points of the search; each costs one test per strength of the table, of which the budget counts
-/// those in compression: tests in tension end at a fraction of the strain.
-constexpr std::int64_t least_points = 8;
-constexpr int verification_packings = 5;
-
+/// What was found; of a search that was stopped, as far as it came.
 struct StrengthFit {
   Recipe recipe;                     ///< with the estimated strengths and the settings of the tests
   std::vector<Estimate> parameters;  ///< what was sought, then the strengths that the ratios stand for
@@ -35,32 +30,34 @@ struct StrengthFit {
                                    ///< alone, where nothing could be fitted
   std::vector<Comparison> left_out;  ///< each target predicted without it; empty below four targets
   std::vector<Recipe> draws;         ///< of the strengths, jointly (posterior_ensemble.hpp)
-  std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0, n_without_peak = 0;
-  std::int64_t n_solutions = 0;  ///< of the direct solution, for what softens
-  bool interrupted = false;
-  std::string longer_by;  ///< what would have allowed all points of a usual search; empty: it had them
-  std::vector<std::string> findings;  ///< what speaks against the fit
-  std::vector<std::string> notes;
+  std::int64_t n_without_peak = 0;
+  Shortage shortage;              ///< of the search
+  std::vector<Finding> findings;  ///< `search_unanswered`: then nothing was fitted
+  std::vector<Finding> notes;
   Mixing mixing;          ///< of the draws behind parameters and intervals
   Softenings softenings;  ///< at the estimate; empty: the moduli were not asked for again
 };
 
 /// The moduli anew, for a table whose E the press has softened so far: a recipe with them, and what its
 /// direct solution has for the moduli of the table.
-struct Remodelled {
+struct RefittedModuli {
   Recipe recipe;
   std::vector<Comparison> solution;
 };
-using Remodel = std::function<Remodelled(const Softenings&)>;
+using RefitModuli = std::function<RefittedModuli(const Softenings&)>;
 
-/// The settings of the tests stay, the elastic parameters are those of another recipe.
-Recipe with_moduli(Recipe recipe, const Recipe& moduli);
+/// What a search of strengths goes by: the strengths of the evidence.
+struct SearchTask {
+  const Evidence& evidence;
+  Recipe recipe;                    ///< from the elastic stage
+  std::vector<std::int64_t> seeds;  ///< packings, of which the points of the search take turns
+  Budget budget;                    ///< of this stage
+  Simulator& simulator;
+  const Listener& listener;
+  RefitModuli refit = {};  ///< called after every batch; empty: the moduli are those of small strain and stay
+};
 
-/// Against the strengths of the evidence. `recipe`: from the elastic stage. `budget`: of this
-/// stage. Seeds: packings, of which the points of the search take turns. `remodel`:
-/// called after every batch; empty: the moduli are those of small strain and stay.
-StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
-                         const std::vector<std::int64_t>& seeds, const Budget& budget, Simulator& simulator,
-                         const Listener& listener, const Remodel& remodel = {});
+/// `fit`: a new one. Throws Stopped; the fit then holds what was known.
+void fit_strength(const SearchTask& task, StrengthFit& fit);
 
 }  // namespace phy::calibrate

@@ -223,42 +223,72 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
   return recipe;
 }
 
-std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, const Loadings& loadings,
-                                          Simulator& simulator, ModulusReading reading,
-                                          std::vector<Comparison>* moduli) {
-  const StrengthTests tests(recipe, targets, seeds.front(), simulator);
+TestSeries::TestSeries(Recipe recipe, std::vector<Target> targets, std::int64_t first_packing,
+                       Loadings loadings, Simulator& simulator)
+    : recipe_(std::move(recipe)),
+      targets_(std::move(targets)),
+      first_packing_(first_packing),
+      loadings_(std::move(loadings)),
+      simulator_(simulator),
+      tests_(recipe_, targets_, first_packing, simulator),
+      results_(targets_.size()),
+      approach_(targets_.size()) {}
+
+Recipe TestSeries::recipe_of(std::size_t target, std::int64_t packing) const {
+  const bool first = packing == first_packing_;
+  const double foreseen = first || loadings_.foreseen.empty() ? infinity : loadings_.foreseen[target];
+  Recipe test = tests_.of(recipe_, target, packing, first ? loadings_.first : loadings_.others, foreseen);
+  if (!first || test.test.kind != TestKind()) test.test.n_snapshots = test.test.n_frames = 0;
+  return test;
+}
+
+void TestSeries::take(const std::vector<std::int64_t>& packings) {
   std::vector<Recipe> recipes;
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    for (const std::int64_t seed : seeds) {
-      const bool first = seed == seeds.front();
-      const double foreseen = first || loadings.foreseen.empty() ? infinity : loadings.foreseen[i];
-      recipes.push_back(tests.of(recipe, i, seed, first ? loadings.first : loadings.others, foreseen));
-      if (!first || recipes.back().test.kind != TestKind())
-        recipes.back().test.n_snapshots = recipes.back().test.n_frames = 0;
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    for (const std::int64_t packing : packings) {
+      recipes.push_back(recipe_of(i, packing));
+      approach_[i].push_back(recipes.back().test.approach_strain);
     }
-  const std::vector<TestResult> results = simulator.test(recipes);
+  const std::vector<TestResult> results = simulator_.test(recipes);
+  for (std::size_t k = 0; k < results.size(); ++k) results_[k / packings.size()].push_back(results[k]);
+}
+
+std::vector<Comparison> TestSeries::strengths() const {
   std::vector<Comparison> rows;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
-                                           seeds.size());
-    const Property property = targets[i].property;
-    rows.push_back(over_packings(targets[i], some, measured(property).number,
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const Property property = targets_[i].property;
+    rows.push_back(over_packings(targets_[i], results_[i], measured(property).number,
                                  [&](const TestResult& r) { return strength_of(r, property); }));
-    if (moduli == nullptr || !is_compressive(property)) continue;
-    const auto without_value = [&](Property p) {
-      Target t{p, targets[i].theta, std::nan(""), std::nan("")};
-      t.confining = targets[i].confining;
-      return t;
-    };
-    const auto approach = [&](std::size_t k) { return recipes[i * seeds.size() + k].test.approach_strain; };
-    const auto read = some.first(approach(seeds.size() - 1) > approach(0) ? 1 : seeds.size());
-    moduli->push_back(over_packings(without_value(Property::E), read, "E_tangent",
-                                    [&](const TestResult& r) { return modulus_of(r, property, reading); }));
-    moduli->push_back(over_packings(without_value(Property::nu), read, "nu",
-                                    [](const TestResult& r) { return number_of(r, "nu"); }));
   }
   return rows;
+}
+
+std::vector<Comparison> TestSeries::moduli(ModulusReading reading) const {
+  std::vector<Comparison> rows;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const Property property = targets_[i].property;
+    if (!is_compressive(property)) continue;
+    const auto without_value = [&](Property p) {
+      Target t{p, targets_[i].theta, std::nan(""), std::nan("")};
+      t.confining = targets_[i].confining;
+      return t;
+    };
+    const std::span<const TestResult> all(results_[i]);
+    const auto read = all.first(approach_[i].back() > approach_[i].front() ? 1 : all.size());
+    rows.push_back(over_packings(without_value(Property::E), read, "E_tangent",
+                                 [&](const TestResult& r) { return modulus_of(r, property, reading); }));
+    rows.push_back(over_packings(without_value(Property::nu), read, "nu",
+                                 [](const TestResult& r) { return number_of(r, "nu"); }));
+  }
+  return rows;
+}
+
+std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
+                                          const std::vector<std::int64_t>& packings, const Loadings& loadings,
+                                          Simulator& simulator) {
+  TestSeries series(recipe, targets, packings.front(), loadings, simulator);
+  series.take(packings);
+  return series.strengths();
 }
 
 }  // namespace phy::calibrate

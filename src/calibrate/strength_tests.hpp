@@ -70,15 +70,36 @@ double strength_of(const TestResult& result, Property property);
 /// bring on, q = sigma_1 - sigma_3 under confinement; NaN without a strength.
 double modulus_of(const TestResult& result, Property property, ModulusReading reading);
 
-/// Mean strengths of a recipe at the targets over packings, by the tests themselves. `moduli` gains E as
-/// `reading` has it and nu (over 40 - 60 % of the strength) of the tests in compression, of those packings
-/// that are approached no farther than the first; their targets have no values. A recipe that keeps pictures
-/// has them of the tests of UCS on the first packing, and no others.
+/// The tests of a table on packings, of which more may be taken: each is done once. A recipe that keeps
+/// pictures has them of the tests of UCS on the first packing, and no others.
+class TestSeries {
+ public:
+  TestSeries(Recipe recipe, std::vector<Target> targets, std::int64_t first_packing, Loadings loadings,
+             Simulator& simulator);
+  void take(const std::vector<std::int64_t>& packings);
+  /// Means over the packings.
+  std::vector<Comparison> strengths() const;
+  /// E as `reading` has it and nu (over 40 - 60 % of the strength) of the tests in compression, of those
+  /// packings that are approached no farther than the first; their targets have no values.
+  std::vector<Comparison> moduli(ModulusReading reading) const;
+
+ private:
+  Recipe recipe_;
+  std::vector<Target> targets_;
+  std::int64_t first_packing_;
+  Loadings loadings_;
+  Simulator& simulator_;
+  StrengthTests tests_;
+  std::vector<std::vector<TestResult>> results_;  // by target, then packing
+  std::vector<std::vector<double>> approach_;     // their strains
+
+  Recipe recipe_of(std::size_t target, std::int64_t packing) const;
+};
+
+/// Mean strengths of a recipe at the targets over packings.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, const Loadings& loadings,
-                                          Simulator& simulator,
-                                          ModulusReading reading = ModulusReading::tangent_50,
-                                          std::vector<Comparison>* moduli = nullptr);
+                                          const std::vector<std::int64_t>& packings, const Loadings& loadings,
+                                          Simulator& simulator);
 
 /// Settings of the tests of a rock: single precision, grains of equal mass, no snapshots, and the slowest of
 /// the platen speeds of its tests of UCS (of those under confinement where there are no others), so that one

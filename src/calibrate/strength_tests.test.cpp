@@ -49,9 +49,9 @@ TEST_F(Loaded, WhereNoModulusIsReadTheVerificationApproachesFarther) {
 class Approaches : public PaperPress {
  public:
   std::vector<double> strains;
-  std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
+  std::vector<TestResult> run(const std::vector<Recipe>& recipes) override {
     for (const Recipe& r : recipes) strains.push_back(r.test.approach_strain);
-    return PaperPress::test(recipes);
+    return PaperPress::run(recipes);
   }
 };
 
@@ -63,8 +63,9 @@ TEST(StrengthResponse, ReadsModuliOfThePackingsThatAreApproachedSlowly) {
   const double peak = 200e6 / 180e9;
   const auto pressed = [&](const Loadings& loadings, std::vector<Comparison>& moduli) {
     Approaches press;
-    moduli.clear();
-    strength_response(rock, {ucs}, {7, 8, 9}, loadings, press, ModulusReading::tangent_50, &moduli);
+    TestSeries series(rock, {ucs}, 7, loadings, press);
+    series.take({7, 8, 9});
+    moduli = series.moduli(ModulusReading::tangent_50);
     return press.strains;
   };
   std::vector<Comparison> moduli;

@@ -10,8 +10,8 @@
 #include "base/nan.hpp"
 #include "base/units.hpp"
 #include "lab/semi_circular_bend/semi_circular_bend.hpp"
-#include "records/recipe_schema.hpp"
 #include "study/expected.hpp"
+#include "verdict/grain_size.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -46,57 +46,35 @@ PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& 
           curvature};
 }
 
-double grain_size_to_meet(const std::vector<Comparison>& toughness, double grain_size) {
-  double sum = 0.0;
-  int n = 0;
-  for (const Comparison& c : toughness)
-    if (c.answered()) sum += std::log(c.target.mean / c.mean), ++n;
-  return n > 0 ? grain_size * std::exp(2.0 * sum / n) : nan;
-}
-
 namespace {
 
 /// How many grains of another size the smallest half disc of the rows has in its radius.
-std::string in_radius(const std::vector<Comparison>& toughness, const Recipe& model, double grain_size) {
+double in_radius(const std::vector<Comparison>& toughness, const Recipe& model, double grain_size) {
   double R = half_disc(model, toughness.front().target).radius;
   for (const Comparison& c : toughness) R = std::min(R, half_disc(model, c.target).radius);
-  const double across = whole_grains(R, grain_size);
-  return fmt::format("{:.0f} in the radius of the half disc{}", across,
-                     across < fewest_in_radius
-                         ? fmt::format(", fewer than {:g}: K_Ic comes out smaller there, and the size that "
-                                       "meets it is larger",
-                                       fewest_in_radius)
-                         : "");
+  return whole_grains(R, grain_size);
 }
 
 }  // namespace
 
-bool can_hold(const Recipe& model, double size) {
-  constexpr double fewest_across = 10.0;
-  const SpecimenSize& s = model.specimen;
-  const double n = study::expected_grains(model) * std::pow(grain_size(model) / size, 2.0);
-  return size * fewest_across <= std::min(s.width, s.height) && n <= static_cast<double>(max_recipe_grains);
-}
-
-std::string compared_in_words(const std::vector<Comparison>& toughness, const Recipe& model) {
-  std::string rows;
-  for (const Comparison& c : toughness) {
-    rows += fmt::format("{}{} = {}", rows.empty() ? "" : ", ", cell_name(c.target),
-                        c.answered() ? fmt::format("{:.2f} instead of {:.2f} MPa sqrt(m) ({:+.0f} %)",
-                                                   c.mean * 1e-6, c.target.mean * 1e-6, 100.0 * c.error())
-                                     : "no answer");
-  }
-  const double now = grain_size(model), other = grain_size_to_meet(toughness, now);
-  const std::string text = fmt::format("compared, not fitted, with grains of {:.3g} mm: {}", now * 1e3, rows);
-  if (!std::isfinite(other)) return text;
-  if (!can_hold(model, other))
-    return text + fmt::format("; at the same strengths it asks for grains of {:.2g} mm, {} for this specimen",
-                              other * 1e3, other > now ? "too large" : "too many");
-  return text + fmt::format(
-                    "; at the same strengths grain_size = \"{:.2g} mm\" would meet it (some {:.0f} grains "
-                    "in the specimen, {}), and has it fitted",
-                    other * 1e3, rounded(study::expected_grains(model) * std::pow(now / other, 2.0), 2),
-                    in_radius(toughness, model, other));
+std::vector<Finding> toughness_findings(const std::vector<Comparison>& toughness, const Recipe& model) {
+  const double now = grain_size(model), wanted = verdict::grain_size_to_meet(toughness, now);
+  std::vector<Finding> findings;
+  for (const Comparison& c : toughness)
+    findings.push_back({FindingKind::toughness_compared,
+                        {cell_of(c.target)},
+                        {{"model", c.mean}, {"laboratory", c.target.mean}, {"grain_size", now}}});
+  if (!std::isfinite(wanted)) return findings;
+  if (verdict::can_hold(model, wanted))
+    findings.push_back({FindingKind::toughness_grains,
+                        {},
+                        {{"wanted", wanted},
+                         {"grains", rounded(study::expected_grains(model) * std::pow(now / wanted, 2.0), 2)},
+                         {"in_radius", in_radius(toughness, model, wanted)},
+                         {"fewest", fewest_in_radius}}});
+  else
+    findings.push_back({FindingKind::toughness_grains_unfit, {}, {{"wanted", wanted}, {"grain_size", now}}});
+  return findings;
 }
 
 }  // namespace phy::calibrate

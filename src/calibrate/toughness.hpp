@@ -22,14 +22,8 @@ namespace phy::calibrate {
 /// log(BTS/sigma_c), nothing where nothing was mapped.
 PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting);
 
-/// Mean diameter of the grains [m] that would meet the table at the same strengths:
-/// d (K_Ic of the table/K_Ic of the model)^2, the geometric mean over the rows; NaN without an answer.
-double grain_size_to_meet(const std::vector<Comparison>& toughness, double grain_size);
-
-/// May a specimen of the model's size be made of grains of this mean diameter [m]?
-bool can_hold(const Recipe& model, double grain_size);
-
-/// The same in words, with how many grains of that size go into the specimen.
-std::string compared_in_words(const std::vector<Comparison>& toughness, const Recipe& model);
+/// K_Ic that was compared and not fitted, and the size of the grains that would meet it at the same strengths
+/// (verdict/grain_size.hpp).
+std::vector<Finding> toughness_findings(const std::vector<Comparison>& toughness, const Recipe& model);
 
 }  // namespace phy::calibrate

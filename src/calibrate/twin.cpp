@@ -26,7 +26,10 @@ std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<dou
     // a rock's grains have their own masses, and its table the bits of before
     settings.engine.grain_inertia = truth.engine.grain_inertia;
     settings.engine.step_safety = truth.engine.step_safety;
-    return strength_response(settings, strengths, some, from_rest, simulator, E_is, read);
+    TestSeries series(settings, strengths, some.front(), from_rest, simulator);
+    series.take(some);
+    if (read != nullptr) *read = series.moduli(E_is);
+    return series.strengths();
   };
   const std::vector<Comparison> first = pressed({seeds.front()}, nullptr);
   for (std::size_t i = 0; i < strengths.size(); ++i)

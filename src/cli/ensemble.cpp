@@ -104,14 +104,20 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   std::vector<Recipe> recipes;
   for (const Job& job : jobs) recipes.push_back(job.single);
   const auto simulator = calibrate::make_simulator(machine);
-  std::vector<TestResult> results = simulator->test(recipes);
+  std::vector<TestResult> results;
+  try {
+    results = simulator->test(recipes);
+  } catch (const calibrate::Stopped&) {
+    line.finish();
+    return false;
+  }
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     jobs[i].result = std::move(results[i]);
     // What reads the result asks its kind for columns and strength.
     jobs[i].result.kind = recipes[i].test.kind;  // the store does not say it
   }
   line.finish();
-  return !simulator->stopped();
+  return true;
 }
 
 /// Of draw k, the fits of an envelope after the tests.

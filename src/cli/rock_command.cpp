@@ -105,10 +105,10 @@ int rock_twin(const std::string& recipe_file, const std::string& name, ModulusRe
   std::vector<Comparison> response;
   try {
     response = calibrate::twin_response(truth, options.angles, options.seeds, *simulator, E_is);
-  } catch (
-      const calibrate::Stopped&) {  // in the middle of elastic solutions; the flag tells the same elsewhere
+  } catch (const calibrate::Stopped&) {
+    print_out("stopped, nothing was written\n");
+    return 1;
   }
-  if (simulator->stopped()) return print_out("stopped, nothing was written\n"), 1;
   const std::string about = fmt::format(
       "# Made by `phyllite rock twin {}`: mean response of {} packings (seeds {} ... {}), {} specimens per\n"
       "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number; E_is = \"{}\".\n",

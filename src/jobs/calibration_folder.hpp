@@ -41,7 +41,7 @@ std::string specimens_in(const std::string& folder);
 /// Puts the specimens of a calibration there. Where something else, or a damaged result, is in the place of
 /// one, it is left alone and reported by check(), so that no calibration is lost for the sake of its
 /// pictures.
-class SpecimenFolder : public calibrate::Gallery {
+class SpecimenFolder : public calibrate::SpecimenSink {
  public:
   /// `folder`: of the calibration.
   explicit SpecimenFolder(const std::string& folder) : folder_(specimens_in(folder)) {}

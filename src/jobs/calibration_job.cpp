@@ -20,7 +20,7 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
   machine.with_untrusted = request_.with_untrusted;
   if (begun_) {
     // Without a folder nobody can look, and there is nowhere to keep a picture.
-    machine.store = begun_->store, machine.gallery = &specimens_;
+    machine.store = begun_->store, machine.sink = &specimens_;
     watch_.emplace(request_.out);
     machine.on_reading = [&](const Recipe& r, double strain, double stress) {
       watch_->reading(r, strain, stress);

@@ -31,8 +31,8 @@ RockCheck check(const Rock& read) {
     found.models.push_back(fmt::format("parameters as of {}; calibrate chooses between {}",
                                        calibrate::model_in_words(models.front()),
                                        calibrate::models_in_words(models)));
-  if (const std::string text = calibrate::assumed_share(read, models); !text.empty())
-    found.models.push_back(text);
+  if (const auto share = calibrate::assumed_share(read, models))
+    found.models.push_back(report::sentence(*share));
   found.in_maps = calibrate::place_in_maps(evidence);
   if (const auto forecast = calibrate::foretell(as_read))
     found.forecast = calibrate::forecast_text(*forecast);

@@ -14,6 +14,7 @@
 #include "python/module.hpp"
 #include "python/released.hpp"
 #include "report/calibration_files.hpp"
+#include "report/words.hpp"
 #include "study/store_queue.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
@@ -72,6 +73,25 @@ py::dict row_of_estimate(const ParameterEstimate& p) {
   row["unit"] = p.unit, row["determined"] = p.determined;
   row["rests_on"] = text_of(p.rests_on), row["next_test"] = text_of(p.next);
   return row;
+}
+
+py::list rows_of(const std::vector<Finding>& findings) {
+  py::list rows;
+  for (const Finding& f : findings) {
+    py::dict row, numbers;
+    py::list cells;
+    for (const Cell& c : f.cells) {
+      py::dict cell;
+      cell["property"] = to_string(c.property), cell["theta"] = c.theta;
+      cell["confining"] = c.confining, cell["diameter"] = c.diameter;
+      cells.append(cell);
+    }
+    for (const NamedNumber& q : f.numbers) numbers[py::str(std::string(q.name))] = q.value;
+    row["kind"] = to_string(f.kind), row["cells"] = cells, row["numbers"] = numbers;
+    row["names"] = f.names, row["advice"] = to_string(f.advice), row["text"] = report::sentence(f);
+    rows.append(row);
+  }
+  return rows;
 }
 
 py::list rows_of(const std::vector<Comparison>& table) {
@@ -149,10 +169,12 @@ void add_calibrations(py::module_& m) {
       .def_property_readonly("name", [](const Calibration& c) { return c.rock; })
       .def_readonly("recipe", &Calibration::recipe)
       .def_readonly("ensemble", &Calibration::ensemble)
-      .def_readonly("notes", &Calibration::notes)
+      .def_property_readonly("notes", [](const Calibration& c) { return rows_of(c.notes); })
       .def_property_readonly("status", [](const Calibration& c) { return to_string(c.verdict.status); })
-      .def_property_readonly("sentence", [](const Calibration& c) { return c.verdict.sentence; })
-      .def_property_readonly("findings", [](const Calibration& c) { return c.verdict.findings; })
+      .def_property_readonly("sentence", [](const Calibration& c) { return report::verdict_words(c); })
+      .def_property_readonly("findings", [](const Calibration& c) { return rows_of(c.verdict.findings); })
+      .def_property_readonly("causes", [](const Calibration& c) { return rows_of(c.verdict.causes); })
+      .def_property_readonly("next", [](const Calibration& c) { return report::next_words(c); })
       .def_property_readonly("parameters",
                              [](const Calibration& c) {
                                py::list rows;

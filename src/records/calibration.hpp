@@ -3,12 +3,14 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/nan.hpp"
 #include "base/option.hpp"
 #include "base/stats.hpp"
+#include "records/finding.hpp"
 #include "records/lab_tests.hpp"
 #include "records/quality.hpp"
 #include "records/rock.hpp"
@@ -57,11 +59,14 @@ struct Comparison {
 enum class VerdictStatus { calibrated, calibrated_except, not_resolved, out_of_reach, interrupted };
 const char* to_string(VerdictStatus status);
 
-/// The answer in words; `findings` name each limit with numbers.
+/// What the numbers mean: the status by the margins of verdict/margin.hpp, each limit that the model or the
+/// table ran into, where most of the misfit lies (the largest share first; of a model that meets its table,
+/// what is left open), and what to do next: the advice of a finding of its own.
 struct Verdict {
   VerdictStatus status = VerdictStatus::calibrated;
-  std::vector<std::string> findings;
-  std::string sentence = {};  ///< status, cause and next step in one (calibrate/cause.hpp)
+  std::vector<Finding> findings = {};
+  std::vector<Finding> causes = {};
+  Finding next{FindingKind::next_step};
 };
 
 /// The row of a target; nullptr if there is none.
@@ -94,6 +99,22 @@ struct PlaneStiffness {
   StiffnessRelation normal, shear;
 };
 
+/// What a search of strengths had less than a usual one (calibrate/effort.hpp).
+struct Shortage {
+  bool of_effort = false;  ///< points, for a lower effort
+  bool of_tests = false;   ///< for too small a budget
+  bool any() const { return of_effort || of_tests; }
+};
+
+/// What a simulator was asked for and has answered.
+struct SimulatorCount {
+  std::int64_t tests = 0;      ///< runs of laboratory tests
+  std::int64_t tension = 0;    ///< of these, direct tension, Brazilian, semi-circular bend
+  std::int64_t coarse = 0;     ///< of these, with magnified grains
+  std::int64_t solutions = 0;  ///< direct elastic solutions
+  std::int64_t compression() const { return tests - tension; }
+};
+
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;
@@ -102,10 +123,10 @@ struct Calibration {
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
-  std::string rival;  ///< how to ask for the nearest of these that was not tried; empty: there is none
+  std::optional<Finding> rival;        ///< `rival_model`: the nearest of these that was not tried
   std::vector<std::string> discarded;  ///< models of other calibrations, whose tests are counted here too
   std::string effort;            ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
-  std::string longer_by;         ///< what would have allowed all points of a usual search; empty: it had them
+  Shortage shortage;             ///< of that search
   Recipe recipe;                 ///< the calibrated model, ready to run
   std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)
   std::vector<ParameterEstimate> parameters;
@@ -121,12 +142,9 @@ struct Calibration {
   std::vector<Comparison> tangent_from_test;
   std::vector<PlaneStiffness> eq2;  ///< and how far it moves with what is assumed of the planes
   Verdict verdict;
-  std::vector<std::string> notes;
-  Mixing mixing;                      ///< of the draws behind the strengths; NaN without these
-  std::int64_t n_strength_tests = 0;  ///< runs of the press, verification included
-  std::int64_t n_tension_tests = 0;   ///< of these, direct tension, Brazilian, semi-circular bend
-  std::int64_t n_coarse_tests = 0;    ///< of these, with magnified grains
-  std::int64_t n_elastic = 0;         ///< direct elastic solutions
+  std::vector<Finding> notes;  ///< what else there is to know of the way to it
+  Mixing mixing;               ///< of the draws behind the strengths; NaN without these
+  SimulatorCount counts;       ///< verification included, and the models that were discarded
   double seconds = 0.0;
 };
 

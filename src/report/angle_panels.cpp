@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/yardsticks.hpp"
+#include "report/baselines.hpp"
+#include "report/words.hpp"
 
 namespace phy::report {
 
@@ -47,7 +48,7 @@ std::string theory_name(const TheoryCurves& curves, const std::string& fitted_to
 std::string error_beside(double model, const Target* t) {
   if (t == nullptr) return "";
   const double error = measured(t->property).absolute ? model - t->mean : model / t->mean - 1.0;
-  return std::string("error ") + (error < 0.0 ? "−" : "+") + error_text(t->property, std::fabs(error));
+  return std::string("error ") + (error < 0.0 ? "−" : "+") + miss_text(t->property, std::fabs(error));
 }
 
 }  // namespace phy::report

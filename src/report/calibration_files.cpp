@@ -10,11 +10,12 @@
 #include "base/quote.hpp"
 #include "base/text_table.hpp"
 #include "io/json.hpp"
+#include "report/baselines.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
 #include "report/finding_json.hpp"
 #include "report/methods.hpp"
-#include "report/yardsticks.hpp"
+#include "report/words.hpp"
 
 namespace phy::report {
 namespace {
@@ -39,6 +40,17 @@ Json rows_json(const std::vector<Comparison>& rows) {
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
   }
   return list;
+}
+
+Json verdict_json(const Calibration& c) {
+  Json next = finding_json(c.verdict.next);
+  next["text"] = next_words(c);
+  return {{"status", to_string(c.verdict.status)},
+          {"sentence", verdict_words(c)},
+          {"summary", summary_lines(c)},
+          {"findings", findings_json(c.verdict.findings)},
+          {"causes", findings_json(c.verdict.causes)},
+          {"next", std::move(next)}};
 }
 
 Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
@@ -116,13 +128,6 @@ std::vector<Comparison> rows_of(const Json& list) {
   return rows;
 }
 
-/// "25.9 GPa", "0.328".
-std::string friendly(double value, const std::string& unit) {
-  if (!unit.starts_with("Pa")) return fmt::format("{:.3g}", value);
-  const bool giga = value >= 1e9;
-  return fmt::format("{:.3g} {}{}", value * (giga ? 1e-9 : 1e-6), giga ? 'G' : 'M', unit);
-}
-
 /// Lines of comments in a recipe.
 std::string as_comments(const std::string& text) {
   const std::string broken = wrapped(text, 98, 4);
@@ -143,10 +148,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
     std::visit([&](const auto& value) { j["asked"][o.key] = value; }, o.value);
   if (c.method == CalibrationMethod::sequence) j["method"] = "sequence";
   if (!c.effort.empty()) j["effort"] = c.effort;
-  j["verdict"] = {{"status", to_string(c.verdict.status)},
-                  {"sentence", c.verdict.sentence},
-                  {"summary", summary_lines(c)},
-                  {"findings", c.verdict.findings}};
+  j["verdict"] = verdict_json(c);
   j["tables"] = tables_json(c);
   j["parameters"] = parameters_json(c.parameters);
   j["fitted"] = rows_json(c.fitted);
@@ -154,20 +156,20 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["left_out"] = rows_json(c.left_out);
   if (!c.compared.empty()) j["compared"] = rows_json(c.compared);
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
-    for (const Yardstick& y : yardsticks())
+    for (const Baseline& y : baselines())
       j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);
   j["errors"] = errors_json(c);
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
   j["matrix"] = c.recipe.matrix.model == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond";
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   if (!c.eq2.empty()) j["eq2"] = eq2_json(c.eq2);
-  j["notes"] = c.notes;
+  j["notes"] = findings_json(c.notes);
   j["methods"] = methods_text(c, version);
   j["mixing"] = {{"effective_sample_size", c.mixing.effective}, {"r_hat", c.mixing.r_hat}};
-  j["runs"] = {{"strength_tests", c.n_strength_tests},
-               {"of_these_coarse", c.n_coarse_tests},
-               {"of_these_in_tension", c.n_tension_tests},
-               {"elastic_solutions", c.n_elastic}};
+  j["runs"] = {{"strength_tests", c.counts.tests},
+               {"of_these_coarse", c.counts.coarse},
+               {"of_these_in_tension", c.counts.tension},
+               {"elastic_solutions", c.counts.solutions}};
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -189,11 +191,12 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
 }
 
 std::string recipe_comments(const Calibration& c) {
-  std::string text = comment_text(c.rock + ": " + c.verdict.sentence) + "\n", open;
+  std::string text = comment_text(c.rock + ": " + verdict_words(c)) + "\n", open;
   for (const ParameterEstimate& e : c.parameters)
     if (e.open())
       open += fmt::format("  {} = {}, 95 % interval {} to {}\n", comment_text(e.key),
-                          friendly(e.value, e.unit), friendly(e.low, e.unit), friendly(e.high, e.unit));
+                          parameter_text(e.value, e.unit), parameter_text(e.low, e.unit),
+                          parameter_text(e.high, e.unit));
   text +=
       c.method == CalibrationMethod::sequence
           ? "Found step by step, as the paper does: no intervals, nothing said of what the data leave open.\n"
@@ -208,7 +211,7 @@ std::string draw_comments(const Calibration& c, std::size_t number) {
       "packing of their own; a single one is no estimate: `--ensemble` runs all of them "
       "(docs/calibration.md, "
       "\"Ensemble\"). The calibration says:\n{}\n",
-      comment_text(c.rock), number, c.ensemble.size(), comment_text(c.verdict.sentence)));
+      comment_text(c.rock), number, c.ensemble.size(), comment_text(verdict_words(c))));
 }
 
 std::string yade_script(const Recipe& r) {

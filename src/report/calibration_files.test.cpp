@@ -31,12 +31,12 @@ TEST(YadeScript, SaysThatBridgesAreLeftOut) {
 
 TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
   Calibration c;
-  c.rock = "grey\nshale", c.verdict.sentence = "calibrated: E within 1 %; next: direct tension";
+  c.rock = "grey\nshale", c.verdict.next.advice = Advice::use_model;
   ParameterEstimate known{"matrix.E_c", "E_c", "Pa", 3e10, 2.9e10, 3.1e10, 1e9, 1e11, true, {}, {}},
       open{"matrix.tau_c", "tau_c", "Pa", 6e7, 2e7, 1.5e9, 1e6, 1e10, false, {}, {}};
   c.parameters = {known, open};
   const std::string text = recipe_comments(c);
-  EXPECT_THAT(text, HasSubstr("calibrated: E within 1 %"));
+  EXPECT_THAT(text, HasSubstr("Next: run it (calibrated.toml)."));
   EXPECT_THAT(text, HasSubstr("#   matrix.tau_c = 60 MPa, 95 % interval 20 MPa to 1.5 GPa\n"));
   EXPECT_THAT(text, Not(HasSubstr("E_c")));
   for (std::size_t from = 0; from + 1 < text.size(); from = text.find('\n', from) + 1)
@@ -48,7 +48,11 @@ TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
 
 TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   Calibration c;
-  c.rock = "r", c.verdict = {VerdictStatus::calibrated_except, {"why"}};
+  c.rock = "r", c.verdict = {VerdictStatus::calibrated_except,
+                             {{FindingKind::value_missed,
+                               {{Property::ucs, 45.0, 1e6}},
+                               {{"model", 40e6}, {"laboratory", 50e6}, {"margin", nan}}}}};
+  c.verdict.next.advice = Advice::check_value, c.verdict.next.cells = {{Property::ucs, 45.0}};
   Comparison row;
   row.target = {Property::ucs, 45.0, 50e6, 2e6, 3, false};
   c.fitted = {row};
@@ -58,6 +62,15 @@ TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   EXPECT_EQ(j["fitted"][0]["theta [deg]"], 45.0);
   EXPECT_TRUE(j["fitted"][0]["model"].is_null());
   EXPECT_FALSE(j.contains("seconds"));
+  const auto& finding = j["verdict"]["findings"][0];
+  EXPECT_EQ(finding["kind"], "value_missed");
+  EXPECT_EQ(finding["cells"][0]["property"], "UCS");
+  EXPECT_EQ(finding["cells"][0]["confining [Pa]"], 1e6);
+  EXPECT_EQ(finding["numbers"]["laboratory"], 50e6);
+  EXPECT_TRUE(finding["numbers"]["margin"].is_null());
+  EXPECT_FALSE(finding.contains("advice"));
+  EXPECT_EQ(j["verdict"]["next"]["advice"], "check_value");
+  EXPECT_FALSE(j["verdict"]["next"]["text"].get<std::string>().empty());
 }
 
 TEST(CalibrationJson, AnEstimateWithoutAnIntervalIsNeitherDeterminedNorOpen) {

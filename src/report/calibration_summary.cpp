@@ -1,14 +1,13 @@
 #include "report/calibration_summary.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 
-#include "base/lines.hpp"
 #include "base/text_table.hpp"
+#include "report/words.hpp"
 
 namespace phy::report {
 namespace {
@@ -16,34 +15,21 @@ namespace {
 constexpr std::size_t most_lines = 10;
 constexpr int usual_width = 80;  // of a terminal, where there is none
 
-/// Is a cell, or a ratio to it, among the subjects of a finding: "E(0), E(15): ...", "UCS(30) = ..."?
-bool speaks_of(const std::string& finding, const std::string& name) {
-  const std::size_t end = std::min(finding.find(" = "), finding.find(": "));
-  for (std::size_t at = finding.find(name); at < end; at = finding.find(name, at + 1))
-    if (at == 0 || finding.substr(0, at).ends_with(", ")) return true;
-  return false;
+bool is_in(const std::vector<FindingKind>& kinds, FindingKind kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
-std::string ratio_name(const Target& t) {
-  return fmt::format("UCS/{}({:g})", to_string(t.property), t.theta);
-}
+// Kinds that are gathered by test: values that are missed, that have no answer, that nothing resolves.
+const std::vector<FindingKind> missed = {FindingKind::fit_missed, FindingKind::value_missed,
+                                         FindingKind::packings_differ};
+const std::vector<FindingKind> unanswered = {FindingKind::fit_unanswered, FindingKind::value_unanswered,
+                                             FindingKind::no_usable_peak, FindingKind::search_unanswered};
+const std::vector<FindingKind> coarse = {FindingKind::value_unresolved};
 
-bool is_unresolved(const std::string& finding) { return finding.find(": not resolved") != finding.npos; }
-
-/// Do findings that tell a miss, or those that are too coarse to tell, name it?
-bool is_named(const Calibration& c, const std::string& name, bool unresolved = false) {
-  return std::any_of(c.verdict.findings.begin(), c.verdict.findings.end(), [&](const std::string& finding) {
-    return is_unresolved(finding) == unresolved && speaks_of(finding, name);
+/// Does a finding of these kinds name the cell?
+bool is_named(const Calibration& c, const Target& t, const std::vector<FindingKind>& kinds) {
+  return std::any_of(c.verdict.findings.begin(), c.verdict.findings.end(), [&](const Finding& f) {
+    return is_in(kinds, f.kind) && std::find(f.cells.begin(), f.cells.end(), cell_of(t)) != f.cells.end();
   });
-}
-
-/// What findings say beside cells of the table and ratios to them.
-std::vector<std::string> of_no_cell(std::vector<std::string> findings, const Calibration& c) {
-  std::erase_if(findings, [&](const std::string& finding) {
-    return std::any_of(c.fitted.begin(), c.fitted.end(), [&](const Comparison& f) {
-      return speaks_of(finding, cell_name(f.target)) || speaks_of(finding, ratio_name(f.target));
-    });
-  });
-  return findings;
 }
 
 /// "11 - 13", or one number where both look alike.
@@ -53,48 +39,44 @@ std::string span(const std::vector<double>& values, const char* format) {
   return a == b ? a : a + " - " + b;
 }
 
-/// "UCS 11 - 13 % off at 30, 75, 90 degrees", of the cells of one test that findings name.
+/// "UCS is 11 - 13 % off at 30, 75 and 90 degrees.", of the cells of one test that findings name.
 void add_cells(std::vector<std::string>& lines, const Calibration& c, const Target& test) {
   const std::string name = test_name(test);
   const bool nu = test.property == Property::nu;
-  std::vector<double> off, where, silent, coarse;
+  std::vector<double> off, where, silent, unresolved;
   for (const Comparison& f : c.fitted) {
     if (!same_test(f.target, test)) continue;
-    if (is_named(c, cell_name(f.target), true)) coarse.push_back(f.target.theta);
-    if (!is_named(c, cell_name(f.target))) continue;
+    if (is_named(c, f.target, coarse)) unresolved.push_back(f.target.theta);
+    if (is_named(c, f.target, unanswered)) silent.push_back(f.target.theta);
+    if (!is_named(c, f.target, missed)) continue;
     const Comparison& row = judged(c, f);
-    (row.answered() ? where : silent).push_back(f.target.theta);
-    if (row.answered()) off.push_back(std::fabs(nu ? row.mean - row.target.mean : 100.0 * row.error()));
+    where.push_back(f.target.theta);
+    off.push_back(std::fabs(nu ? row.mean - row.target.mean : 100.0 * row.error()));
   }
   if (!off.empty())
-    lines.push_back(fmt::format("{} {}{} off at {:g} degrees", name,
+    lines.push_back(fmt::format("{} is {}{} off at {}.", name,
                                 span(off, nu                                                 ? "{:.2f}"
                                           : *std::max_element(off.begin(), off.end()) < 9.95 ? "{:.2g}"
                                                                                              : "{:.0f}"),
-                                nu ? "" : " %", fmt::join(where, ", ")));
-  if (!silent.empty())
-    lines.push_back(fmt::format("{}: no answer at {:g} degrees", name, fmt::join(silent, ", ")));
-  if (!coarse.empty())
+                                nu ? "" : " %", angles_text(where)));
+  if (!silent.empty()) lines.push_back(fmt::format("{} has no answer at {}.", name, angles_text(silent)));
+  if (!unresolved.empty())
     lines.push_back(fmt::format(
-        "{} not resolved at {:g} degrees: tables.txt says which misses would pass and what would help", name,
-        fmt::join(coarse, ", ")));
+        "{} is not resolved at {}; tables.txt has the errors that would pass, and what would help.", name,
+        angles_text(unresolved)));
 }
 
-/// "UCS/BTS 4.3 - 8.4 in the laboratory, 5.3 - 6.4 in the nearest model, at 0, 30 degrees".
+/// "UCS/BTS is 4.3 - 8.4 in the table and 5.3 - 6.4 in the nearest model, at 0 and 30 degrees."
 void add_ratios(std::vector<std::string>& lines, const Calibration& c, Property p) {
-  std::vector<double> laboratory, model;
-  std::set<double> where;
-  for (const Comparison& t : c.verification)
-    for (const Comparison& u : c.verification)
-      if (t.target.property == p && u.target.property == Property::ucs && t.target.theta == u.target.theta &&
-          is_named(c, ratio_name(t.target))) {
-        laboratory.push_back(u.target.mean / t.target.mean), model.push_back(u.mean / t.mean);
-        where.insert(t.target.theta);
-      }
+  std::vector<double> laboratory, model, where;
+  for (const Finding& f : c.verdict.findings) {
+    if (f.kind != FindingKind::ratio_missed || f.cells[1].property != p) continue;
+    laboratory.push_back(f.number("laboratory")), model.push_back(f.number("model"));
+    where.push_back(f.cells[1].theta);
+  }
   if (!laboratory.empty())
-    lines.push_back(fmt::format("UCS/{} {} in the laboratory, {} in the nearest model, at {:g} degrees",
-                                to_string(p), span(laboratory, "{:.1f}"), span(model, "{:.1f}"),
-                                fmt::join(where, ", ")));
+    lines.push_back(fmt::format("UCS/{} is {} in the table and {} in the nearest model, at {}.", to_string(p),
+                                span(laboratory, "{:.1f}"), span(model, "{:.1f}"), angles_text(where)));
 }
 
 }  // namespace
@@ -105,14 +87,20 @@ const Comparison& judged(const Calibration& c, const Comparison& fitted) {
 }
 
 std::vector<std::string> open_lines(const Calibration& c) {
-  std::vector<std::string> open;
-  for (const ParameterEstimate& e : c.parameters)
-    if (e.open())
-      add_line(open, e.symbol,
-               e.next.remedy == Remedy::none
-                   ? "not determined by this table; no test of a table determines it"
-                   : "not determined by this table; next: " + text_of(e.next));
-  return open;
+  std::vector<std::pair<std::string, std::vector<std::string>>>
+      open;  // by the test that would determine them
+  for (const ParameterEstimate& e : c.parameters) {
+    if (!e.open()) continue;
+    auto at =
+        std::find_if(open.begin(), open.end(), [&](const auto& o) { return o.first == text_of(e.next); });
+    if (at == open.end()) at = open.insert(at, {text_of(e.next), {}});
+    at->second.push_back(e.symbol);
+  }
+  std::vector<std::string> lines;
+  for (const auto& [test, symbols] : open)
+    lines.push_back(fmt::format("{}: not determined by this table; {}.", list_text(symbols),
+                                test.empty() ? "no test of a table determines them" : "next: " + test));
+  return lines;
 }
 
 std::vector<std::string> summary_lines(const Calibration& c) {
@@ -122,17 +110,21 @@ std::vector<std::string> summary_lines(const Calibration& c) {
                      [&](const Comparison& f) { return same_test(f.target, c.fitted[i].target); }))
       add_cells(lines, c, c.fitted[i].target);
   for (const Property p : {Property::direct_tension, Property::brazilian}) add_ratios(lines, c, p);
-  const std::vector<std::string> rest = of_no_cell(c.verdict.findings, c);
+  std::vector<Finding> others = c.verdict.findings;
+  std::erase_if(others, [](const Finding& f) {
+    return is_in(missed, f.kind) || is_in(unanswered, f.kind) || is_in(coarse, f.kind) ||
+           f.kind == FindingKind::ratio_missed;
+  });
+  for (std::string& line : sentences(others)) lines.push_back(std::move(line));
   for (const ParameterEstimate& e : c.parameters)
     if (e.open()) open.push_back(e.symbol);
-  lines.insert(lines.end(), rest.begin(), rest.end());
-  if (!open.empty()) lines.push_back(fmt::format("left open by the data: {}", fmt::join(open, ", ")));
+  if (!open.empty()) lines.push_back(fmt::format("The data do not determine {}.", list_text(open)));
   return lines;
 }
 
 std::string summary_text(const Calibration& c, int terminal_width) {
   std::string text;
-  std::size_t used = 0, left = c.notes.size();
+  std::size_t used = 0, left = sentences(c.notes).size();
   for (const std::string& line : summary_lines(c)) {
     const std::string item = "- " + line + "\n";
     const std::string as_seen = wrapped(item, terminal_width > 0 ? terminal_width : usual_width, 2);
@@ -142,8 +134,8 @@ std::string summary_text(const Calibration& c, int terminal_width) {
     else
       ++left;
   }
-  const bool told_elsewhere = left > 0 && c.verdict.status != VerdictStatus::interrupted;
-  return text + (told_elsewhere ? fmt::format("- {} more in tables.txt\n", left) : "");
+  const bool goes_on = left > 0 && c.verdict.status != VerdictStatus::interrupted;
+  return text + (goes_on ? fmt::format("- {} more in tables.txt\n", left) : "");
 }
 
 }  // namespace phy::report

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "report/calibration_tables.hpp"
+#include "report/words.hpp"
 
 namespace phy::report {
 namespace {
@@ -23,6 +24,11 @@ Comparison row(Property p, double theta, double laboratory, double model) {
   return c;
 }
 
+Finding missed(FindingKind kind, const Comparison& c) {
+  return {kind, {cell_of(c.target)}, {{"model", c.mean}, {"laboratory", c.target.mean}, {"margin", 0.06}}};
+}
+const Finding something_else{FindingKind::strengths_missed, {}, {{"rms", 0.1}}};
+
 /// UCS at 0, 30, 75 and BTS at 30 degrees; the findings are of a verdict.
 Calibration found() {
   Calibration c;
@@ -32,10 +38,13 @@ Calibration found() {
   c.verification = c.fitted;
   c.verification[2].mean = 45e6, c.verification[3].mean = 54e6;
   c.verdict.status = VerdictStatus::out_of_reach;
-  c.verdict.findings = {"nu(0) = 0.210 instead of 0.260",
-                        "UCS(30) = 45.0 MPa on unseen packings, +12.5 % from 40.0 MPa",
-                        "UCS(75) = 54.0 MPa on unseen packings, -10.0 % from 60.0 MPa",
-                        "UCS/BTS(30) = 4.0 in the laboratory, 5.6 in the nearest model", "something else"};
+  c.verdict.findings = {missed(FindingKind::fit_missed, c.fitted[0]),
+                        missed(FindingKind::value_missed, c.verification[2]),
+                        missed(FindingKind::value_missed, c.verification[3]),
+                        {FindingKind::ratio_missed,
+                         {{Property::ucs, 30}, {Property::brazilian, 30}},
+                         {{"model", 45.0 / 8.0}, {"laboratory", 4.0}}},
+                        something_else};
   ParameterEstimate open;
   open.symbol = "mu";
   c.parameters = {open, open};
@@ -45,31 +54,33 @@ Calibration found() {
 
 TEST(CalibrationSummary, CellsOfOnePropertyAreOneLine) {
   EXPECT_THAT(summary_lines(found()),
-              ElementsAre("nu 0.05 off at 0 degrees", "UCS 10 - 12 % off at 30, 75 degrees",
-                          "UCS/BTS 4.0 in the laboratory, 5.6 in the nearest model, at 30 degrees",
-                          "something else", "left open by the data: mu, phi"));
+              ElementsAre("nu is 0.05 off at 0 degrees.", "UCS is 10 - 12 % off at 30 and 75 degrees.",
+                          "UCS/BTS is 4.0 in the table and 5.6 in the nearest model, at 30 degrees.",
+                          sentence(something_else), "The data do not determine mu and phi."));
 }
 
 TEST(CalibrationSummary, CellsThatNoFindingNamesStaySilent) {
   Calibration c = found();
-  c.verdict.findings = {"the strengths as a whole are 10 % off"};
+  c.verdict.findings = {something_else};
   c.parameters.clear();
-  EXPECT_THAT(summary_lines(c), ElementsAre("the strengths as a whole are 10 % off"));
+  EXPECT_THAT(summary_lines(c), ElementsAre(sentence(something_else)));
 }
 
 TEST(CalibrationSummary, CellsWithoutAnAnswerShareALineToo) {
   Calibration c = found();
   c.verification[1].mean = c.verification[2].mean = std::nan("");
-  c.verdict.findings = {"UCS(0), UCS(30): no test on unseen packings gave a usable peak (never)"};
+  c.verdict.findings = {{FindingKind::no_usable_peak, {{Property::ucs, 0}}, {}, {"never"}},
+                        {FindingKind::no_usable_peak, {{Property::ucs, 30}}, {}, {"never"}}};
   c.parameters.clear();
-  EXPECT_THAT(summary_lines(c), ElementsAre("UCS: no answer at 0, 30 degrees"));
+  EXPECT_THAT(summary_lines(c), ElementsAre("UCS has no answer at 0 and 30 degrees."));
 }
 
 TEST(CalibrationSummary, NoMoreThanTenLinesOfAnyTerminal) {
   Calibration c = found();
   for (int i = 0; i < 30; ++i)
-    c.verdict.findings.push_back("a finding of some length, number " + std::to_string(i));
-  c.notes = {"a note"};
+    c.verdict.findings.push_back(
+        {FindingKind::parameter_at_edge, {}, {{"value", 1.0}}, {"number " + std::to_string(i)}});
+  c.notes = {something_else};
   for (const int width : {0, 30, 60, 80}) {
     const std::string text = summary_text(c, width);
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10) << width;

@@ -10,8 +10,9 @@
 #include <utility>
 
 #include "base/text_table.hpp"
+#include "report/baselines.hpp"
 #include "report/calibration_summary.hpp"
-#include "report/yardsticks.hpp"
+#include "report/words.hpp"
 
 namespace phy::report {
 namespace {
@@ -32,22 +33,12 @@ std::string cell(const Calibration& c, const double& number, double unit, const 
   return fmt::format("{:.4g} ({})", number / unit, otherwise);
 }
 
-/// Three digits, but no exponent and no digit before the point left out.
-std::string three_digits(double v) {
-  const double size = std::fabs(v);
-  return !std::isfinite(v) ? "-"
-         : size >= 99.95   ? fmt::format("{:.0f}", v)
-         : size >= 9.995   ? fmt::format("{:.1f}", v)
-         : size >= 0.9995  ? fmt::format("{:.2f}", v)
-                           : fmt::format("{:.3f}", v);
-}
-
 const char* unit_head(Property p) { return shown_unit(p).name; }
 
 /// Laboratory, model, error.
 std::vector<std::string> cells_of(const Comparison& row) {
   const Property p = row.target.property;
-  return {three_digits(row.target.mean * shown(p)), three_digits(row.mean * shown(p)),
+  return {number_text(row.target.mean * shown(p)), number_text(row.mean * shown(p)),
           !row.answered()     ? "-"
           : p == Property::nu ? fmt::format("{:+.2f}", row.mean - row.target.mean)
                               : fmt::format("{:+.1f}", 100.0 * row.error())};
@@ -345,10 +336,9 @@ std::string error_table(const Calibration& c, int terminal_width) {
     if (std::any_of(c.fitted.begin(), c.fitted.end(),
                     [&](const Comparison& row) { return row.target.property == p; }))
       groups.push_back(
-          {column_of(to_string(p), "", rows, [&](const ErrorRow& r) { return error_text(p, r.rms[i]); })});
+          {column_of(to_string(p), "", rows, [&](const ErrorRow& r) { return miss_text(p, r.rms[i]); })});
   }
-  const bool left_out = rows.back().of.starts_with("left out");
-  const bool plane = rows.back().of.ends_with("weak plane");
+  const bool left_out = rows.back().is_left_out, plane = rows.back().baseline == "jaeger";
   return text_table(label, groups, terminal_width) +
          wrapped(!left_out
                      ? ""
@@ -360,28 +350,29 @@ std::string error_table(const Calibration& c, int terminal_width) {
 
 std::string verdict_text(const Calibration& c, int terminal_width) {
   std::string text = fmt::format("verdict: {}\n", to_string(c.verdict.status));
-  for (const std::string& finding : c.verdict.findings) text += "- " + finding + "\n";
+  for (const std::string& line : sentences(c.verdict.findings)) text += "- " + line + "\n";
   for (const std::string& line : open_lines(c)) text += "- " + line + "\n";
-  for (const std::string& note : c.notes) text += "- " + note + "\n";
+  for (const std::string& line : sentences(c.notes)) text += "- " + line + "\n";
   return wrapped(text, terminal_width, 2);
 }
 
 std::string sentence_text(const Calibration& c, int terminal_width) {
-  return wrapped(c.verdict.sentence + "\n", terminal_width, 2);
+  return wrapped(verdict_words(c) + "\n", terminal_width, 2);
 }
 
 std::string budget_text(const Calibration& c, int terminal_width) {
   if (c.verdict.status == VerdictStatus::interrupted)
     return "";  // the stage that was cut has counted nothing
   std::string text;
-  if (c.n_strength_tests > 0) {
-    text = fmt::format("{} tests in compression", c.n_strength_tests - c.n_tension_tests);
-    if (c.n_tension_tests > 0)
-      text += fmt::format(" and {} in tension{}", c.n_tension_tests, has_bend_tests(c) ? " or bending" : "");
-    if (c.n_coarse_tests > 0) text += fmt::format("; {} of all tests on coarse grains", c.n_coarse_tests);
+  const SimulatorCount& n = c.counts;
+  if (n.tests > 0) {
+    text = fmt::format("{} tests in compression", n.compression());
+    if (n.tension > 0)
+      text += fmt::format(" and {} in tension{}", n.tension, has_bend_tests(c) ? " or bending" : "");
+    if (n.coarse > 0) text += fmt::format("; {} of all tests on coarse grains", n.coarse);
     text += "; ";
   }
-  return wrapped(text + fmt::format("{} direct elastic solutions\n", c.n_elastic), terminal_width, 2);
+  return wrapped(text + fmt::format("{} direct elastic solutions\n", n.solutions), terminal_width, 2);
 }
 
 }  // namespace phy::report

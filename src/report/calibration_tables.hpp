@@ -27,7 +27,7 @@ std::string parameter_tables(const Calibration& calibration, int terminal_width)
 /// Laboratory, model and error, angles across.
 std::string angle_table(const Calibration& calibration, int terminal_width);
 
-/// Errors of each property, and what simpler rules miss the same cells by (report/yardsticks.hpp).
+/// Errors of each property, and what simpler rules miss the same cells by (report/baselines.hpp).
 std::string error_table(const Calibration& calibration, int terminal_width);
 
 /// Every cell with standard error, interval, fit and unseen packings.

@@ -1,15 +1,16 @@
 #include "report/methods.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "base/lines.hpp"
 #include "base/units.hpp"
 #include "records/test_description.hpp"
-#include "report/yardsticks.hpp"
+#include "report/baselines.hpp"
+#include "report/words.hpp"
 
 namespace phy::report {
 namespace {
@@ -183,9 +184,16 @@ std::string end_of(const SpecimenRecord& test) {
 
 /// How the tests ended, those that ended alike together.
 std::string ends_text(const RunRecord& run) {
-  std::vector<std::string> ends;
-  for (const SpecimenRecord& t : run.tests) add_line(ends, t.result.name, end_of(t));
-  return fmt::format("How each test ended: {}.", fmt::join(ends, "; "));
+  std::vector<std::pair<std::string, std::vector<std::string>>> ends;
+  for (const SpecimenRecord& t : run.tests) {
+    const std::string end = end_of(t);
+    auto at = std::find_if(ends.begin(), ends.end(), [&](const auto& e) { return e.first == end; });
+    if (at == ends.end()) at = ends.insert(at, {end, {}});
+    at->second.push_back(t.result.name);
+  }
+  std::vector<std::string> clauses;
+  for (const auto& [end, names] : ends) clauses.push_back(fmt::format("{}: {}", fmt::join(names, ", "), end));
+  return fmt::format("How each test ended: {}.", fmt::join(clauses, "; "));
 }
 
 std::string inertia_text(const Recipe& r) {
@@ -297,7 +305,7 @@ std::string table_text(const Calibration& c) {
 }
 
 std::string fit_text(const Calibration& c, const std::string& version) {
-  const std::int64_t n_ucs = c.n_strength_tests - c.n_tension_tests;
+  const std::int64_t n_ucs = c.counts.compression();
   std::string text = fmt::format(
       "The micro-parameters were calibrated with phyllite {} against laboratory values of {}: {}; E was "
       "compared as {}.",
@@ -318,7 +326,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
           : "found step by step: Eq. 1 through E(theta), the matrix from E and nu along the layers, joint "
             "stiffnesses by the linear relation between macro and micro stiffness (Eq. 2), made anew on "
             "the packings at hand",
-      c.n_elastic);
+      c.counts.solutions);
   if (n_ucs > 0)
     text += fmt::format(
         ", strengths {} ({} compression{} tests in all, verification included)",
@@ -326,8 +334,8 @@ std::string fit_text(const Calibration& c, const std::string& version) {
                                 c.effort.empty() ? "" : ", effort " + c.effort)
                   : "one after the other by bisection, each against UCS at one angle on one packing",
         n_ucs,
-        c.n_tension_tests > 0
-            ? fmt::format(" and {} tensile{}", c.n_tension_tests, has_bend_tests(c) ? " and bend" : "")
+        c.counts.tension > 0
+            ? fmt::format(" and {} tensile{}", c.counts.tension, has_bend_tests(c) ? " and bend" : "")
             : "");
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
@@ -346,14 +354,14 @@ std::string outcome_text(const Calibration& c) {
     std::vector<std::string> errors;
     for (std::size_t i = 0; i < n_properties; ++i)
       if (const auto p = static_cast<Property>(i); std::isfinite(row.rms[i]))
-        errors.push_back(fmt::format("{} {}", to_string(p), error_text(p, row.rms[i])));
+        errors.push_back(fmt::format("{} {}", to_string(p), miss_text(p, row.rms[i])));
     if (!errors.empty())
       text += fmt::format("{} {} ({})", text.empty() ? "" : ";", fmt::join(errors, ", "), row.of);
   }
   std::vector<std::string> open;
   for (const ParameterEstimate& e : c.parameters)
     if (e.open()) open.push_back(e.symbol);
-  return fmt::format("Root mean square errors:{}. Verdict: {}.{}", text, c.verdict.sentence,
+  return fmt::format("Root mean square errors:{}. Verdict: {}{}", text, verdict_words(c),
                      open.empty() ? ""
                                   : fmt::format(" The data do not constrain {}: 95 % intervals over half of "
                                                 "the admitted values, in logarithms.",

@@ -99,7 +99,10 @@ TEST(Page, RefersToNothingOutside) {
 TEST(Page, CarriesCalibrationAndLaboratory) {
   Calibration c;
   c.rock = "shale & co";
-  c.verdict = {VerdictStatus::calibrated_except, {"nu at 45 degrees is out by 12 %"}};
+  c.verdict.status = VerdictStatus::calibrated_except;
+  c.verdict.findings = {{FindingKind::fit_missed,
+                         {{Property::nu, 45.0}},
+                         {{"model", 0.3}, {"laboratory", 0.2}, {"margin", 0.03}}}};
   c.parameters = {{"matrix.E_c", "E_c", "Pa", 3.8e10, 3.5e10, 4e10, 1e9, 1e11, true, {}, {}}};
   Comparison row;
   row.target = {Property::ucs, 45.0, 6e7, 3e6, 4, false};

@@ -81,12 +81,18 @@ std::string value_text(Property property, double si) {
 
 std::string percent_text(double share) {
   const double percent = 100.0 * share;
-  return std::fabs(percent) < 9.95 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+  return std::fabs(percent) < 9.95 ? fmt::format("{:.1f} %", percent) : fmt::format("{:.0f} %", percent);
 }
 
 std::string miss_text(Property property, double miss) {
   if (!std::isfinite(miss)) return "-";
   return property == Property::nu ? fmt::format("{:.3f}", miss) : percent_text(miss);
+}
+
+std::string parameter_text(double value, const std::string& unit) {
+  if (!unit.starts_with("Pa")) return fmt::format("{:.3g}", value);
+  const bool giga = value >= 1e9;
+  return fmt::format("{:.3g} {}{}", value * (giga ? 1e-9 : 1e-6), giga ? 'G' : 'M', unit);
 }
 
 std::string counted_text(double n, const std::string& noun) {

@@ -11,7 +11,7 @@
 
 namespace phy::report {
 
-/// What was found, with its advice where the list of kinds says so.
+/// What was found.
 std::string sentence(const Finding& finding);
 
 /// One sentence for several findings that say the same of other cells: "UCS at 0 and 30 degrees: ...".
@@ -20,16 +20,23 @@ std::vector<std::string> sentences(const std::vector<Finding>& findings);
 /// What to do, as an imperative without a full stop: "test more specimens of UCS at 30 degrees".
 std::string text(Advice advice, const Finding& of);
 
+/// The verdict: what is met and what is not, where most of the misfit lies, and the next step.
+std::string verdict_words(const Calibration& calibration);
+/// The next step alone, like text(): of a parameter that is open, the test that would determine it.
+std::string next_words(const Calibration& calibration);
+
 // ---- one formatter per unit
 
 /// Three digits, no exponent: "118", "48.0", "1.84", "0.529"; "-" for no number.
 std::string number_text(double value);
 /// A value in the unit in which people read the property: "48.0 MPa", "0.529".
 std::string value_text(Property property, double si);
-/// A relative difference in percent, of nu the number itself: "4.1 %", "53 %", "0.042"; "-" for none.
+/// A relative difference, of nu the number itself: "4.1 %", "53 %", "0.042"; "-" for none.
 std::string miss_text(Property property, double miss);
 /// "30 %", "3.4 %".
 std::string percent_text(double share);
+/// A number of a recipe: "25.9 GPa", "1.5 MPa/m", "0.328".
+std::string parameter_text(double value, const std::string& unit);
 /// "3 tests", "1 test".
 std::string counted_text(double n, const std::string& noun);
 /// "0 degrees", "0, 30 and 60 degrees".

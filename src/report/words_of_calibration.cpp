@@ -11,6 +11,12 @@ namespace {
 using F = const Finding&;
 using Kind = FindingKind;
 
+/// Options as the command line spells them: files are the same whoever calibrates.
+std::string option(const std::string& word) { return "--" + word; }
+std::string option_set(const std::string& word, const std::string& value) {
+  return option(word) + " " + value;
+}
+
 Property property_of(F f) { return f.cells.front().property; }
 
 /// Model and laboratory in the unit of the cell.
@@ -56,12 +62,13 @@ std::string nearest_in_maps(F f) {
       f.number("with_nu") > 0.0 ? "E, nu and strengths" : "E and strengths", f.number("model"),
       f.number("specimens"), f.number("models"), f.number("nearest"));
   if (f.advice == Advice::none) return numbers + " The maps show no nearer model.";
-  const std::string& model = f.names.front();
+  const std::string &model = f.names.front(),
+                    again = fmt::format("Another search ({}, packing.seed)", option("effort"));
   return numbers + fmt::format(" {} may come nearer.",
-                               f.advice == Advice::search_again ? "Another search (--effort, packing.seed)"
+                               f.advice == Advice::search_again ? again
                                : f.advice == Advice::search_again_by
-                                   ? "Another search (--effort, packing.seed) with " + model
-                                   : "A model with " + model + " (layers, --matrix)");
+                                   ? again + " with " + model
+                                   : fmt::format("A model with {} (layers, {})", model, option("matrix")));
 }
 
 /// Of a model that was calibrated, and what it came to.
@@ -74,12 +81,32 @@ std::string model_tried(F f) {
                      f.number("reached") > 0.0 ? "within reach" : "out of reach", result);
 }
 
+/// How a user asks for a rival model, by the last two names.
+std::string options_of_rival(F f) {
+  std::vector<std::string> options;
+  if (const std::string& layers = f.names[2]; !layers.empty())
+    options.push_back(
+        fmt::format("layers = \"{}\" in the rock file{}", layers,
+                    layers == to_string(LayerModel::directions) ? " (without bedding.spacing)" : ""));
+  if (const std::string& matrix = f.names[3]; !matrix.empty())
+    options.push_back(option_set("matrix", matrix));
+  return list_text(options);
+}
+
 std::string rival_model(F f) {
   return fmt::format(
       "{} may do as well: before any test E and strengths were missed by {}, by {} with {}. To try it, take "
       "a new folder and {}.",
       f.names[0], percent_text(f.number("error")), percent_text(f.number("taken_error")), f.names[1],
-      list_text({f.names.begin() + 2, f.names.end()}));
+      options_of_rival(f));
+}
+
+/// What would have allowed all points of a usual search.
+std::string options_of_search(F f) {
+  std::vector<std::string> options;
+  if (f.number("of_effort") > 0.0) options.push_back(option_set("effort", "normal"));
+  if (f.number("of_tests") > 0.0) options.push_back("a larger " + option("max-tests"));
+  return list_text(options);
 }
 
 std::string unresolved(F f) {
@@ -99,8 +126,9 @@ std::string unresolved(F f) {
 
 std::string toughness_grains(F f) {
   std::string text = fmt::format(
-      "At the same strengths grain_size = \"{:.2g} mm\" in the rock file would meet K_Ic, with some {:.0f} "
-      "grains in the specimen, {:.0f} in the radius of the half disc.",
+      "At the same strengths grain_size = \"{:.2g} mm\" in the rock file would meet K_Ic. The specimen then "
+      "has "
+      "some {:.0f} grains, {:.0f} in the radius of the half disc.",
       f.number("wanted") * 1e3, f.number("grains"), f.number("in_radius"));
   if (f.number("in_radius") < f.number("fewest"))
     text += fmt::format(" With fewer than {:g}, K_Ic comes out too small, and larger grains meet it.",
@@ -112,7 +140,7 @@ std::string unsettled(const std::string& why) {
   return "The estimate of the strengths had not settled when the search ended: " + why + ".";
 }
 
-const std::vector<Wording> values = {
+const std::vector<Wording> value_words = {
     {Kind::fit_missed,
      [](F f) { return fmt::format("{} is {}, {}.", cells_text(f.cells), both(f), miss(f)); }},
     {Kind::value_missed,
@@ -162,10 +190,11 @@ const std::vector<Wording> values = {
                           percent_text(f.number("E_before")));
      }},
     {Kind::nearest_in_maps, nearest_in_maps},
+    {Kind::next_step, [](F f) { return "Next: " + text(f.advice, f) + "."; }},
     {Kind::stopped, [](F) -> std::string { return "Stopped by the user; finished tests are in the store."; }},
 };
 
-const std::vector<Wording> causes = {
+const std::vector<Wording> cause_words = {
     {Kind::unanswered, [](F f) { return "The model has no answer for " + cells_text(f.cells) + "."; }},
     {Kind::nu_of_no_body,
      [](F f) {
@@ -177,7 +206,7 @@ const std::vector<Wording> causes = {
      [](F f) {
        return fmt::format(
            "From {:.3g} to {:.3g} MPa of confining stress E changes by {:+.0f} % in the table and by {:+.0f} "
-           "% in the model, whose bonds do not stiffen.",
+           "% in the model. Bonds do not stiffen.",
            f.number("from") * 1e-6, f.number("to") * 1e-6, 100.0 * f.number("laboratory"),
            100.0 * f.number("model"));
      }},
@@ -205,6 +234,8 @@ const std::vector<Wording> causes = {
      }},
     {Kind::farthest_value,
      [](F f) { return fmt::format("Farthest off is {}, {}.", cells_text(f.cells), both(f)); }},
+    {Kind::strengths_of_recipe,
+     [](F) -> std::string { return "The strengths are those of the recipe, not of the rock."; }},
     {Kind::gap_in_ucs,
      [](F f) {
        return fmt::format("No UCS was measured between {:g} and {:g} degrees.", f.number("from"),
@@ -212,7 +243,7 @@ const std::vector<Wording> causes = {
      }},
 };
 
-const std::vector<Wording> models = {
+const std::vector<Wording> model_words = {
     {Kind::model_expected,
      [](F f) {
        return fmt::format("Before any test, with {}: E fitted to {}, strengths left out predicted to {}.",
@@ -234,8 +265,9 @@ const std::vector<Wording> models = {
     {Kind::flat_joints_rule,
      [](F f) {
        return fmt::format(
-           "Flat joints are taken only if they alone are expected to meet the table, or if nothing is and "
-           "they miss less than {:g} of what others miss.",
+           "Flat joints are taken only if they alone are expected to meet the table. Where nothing is, they "
+           "must "
+           "miss less than {:g} of what others miss.",
            f.number("gain"));
      }},
     {Kind::model_without_rivals,
@@ -288,7 +320,7 @@ const std::vector<Wording> models = {
      }},
 };
 
-const std::vector<Wording> tests = {
+const std::vector<Wording> test_words = {
     {Kind::cracks_off_centre,
      [](F f) {
        return fmt::format(
@@ -328,8 +360,9 @@ const std::vector<Wording> tests = {
      },
      true},
     {Kind::packings_wanted,
-     [](F) -> std::string {
-       return "Strengths of packings of this size differ much: a larger --max-tests takes more unseen ones.";
+     [](F) {
+       return "Strengths of packings of this size differ much: a larger " + option("max-tests") +
+              " takes more unseen ones.";
      }},
     {Kind::packings_added,
      [](F f) {
@@ -353,15 +386,18 @@ const std::vector<Wording> tests = {
      }},
 };
 
-const std::vector<Wording> search = {
+const std::vector<Wording> search_words = {
     {Kind::search_short,
      [](F f) {
-       return fmt::format("The search was short ({} in compression): {} may come nearer.",
-                          counted_text(f.number("tests"), "test"), list_text(f.names));
+       return fmt::format(
+           "The search was short ({} in compression{}): {} may come nearer.",
+           counted_text(f.number("tests"), "test"),
+           f.number("models") > 1.0 ? " by " + counted_text(f.number("models"), "model") : std::string(),
+           options_of_search(f));
      }},
     {Kind::search_cut,
      [](F f) {
-       return fmt::format("--max-tests paid for {:.0f} of the {:.0f} points of a {} search.",
+       return fmt::format("{} paid for {:.0f} of the {:.0f} points of a {} search.", option("max-tests"),
                           f.number("paid"), f.number("points"), f.names.front());
      }},
     {Kind::draws_rough,
@@ -426,7 +462,7 @@ const std::vector<Wording> search = {
 const std::vector<Wording>& words_of_calibration() {
   static const std::vector<Wording> all = [] {
     std::vector<Wording> list;
-    for (const auto* part : {&values, &causes, &models, &tests, &search})
+    for (const auto* part : {&value_words, &cause_words, &model_words, &test_words, &search_words})
       list.insert(list.end(), part->begin(), part->end());
     return list;
   }();
@@ -440,7 +476,7 @@ std::string text(Advice advice, F of) {
     case Advice::resume: return "the same command with --resume";
     case Advice::use_model: return "run it (calibrated.toml)";
     case Advice::calibrate_strengths: return "calibrate with strengths";
-    case Advice::test_parameter: return "test " + of.names.front();
+    case Advice::test_parameter: return "determine " + of.names.front();
     case Advice::fill_gap: return "test specimens in that gap";
     case Advice::more_specimens: return "test more specimens of " + cells_text(of.cells);
     case Advice::smaller_grains:
@@ -458,7 +494,8 @@ std::string text(Advice advice, F of) {
       return "set `confining` in the rock file to the stress that matters; E and nu under others are left "
              "out";
     case Advice::without_sequence:
-      return "calibrate without --method sequence, which fits all moduli together";
+      return fmt::format("calibrate without {}: then all moduli are fitted together",
+                         option_set("method", "sequence"));
     case Advice::choose_layers:
       return "set layers = \"choose\" in a rock file whose recipe has no layers: other models are compared";
     case Advice::take_where_met: return "take the model only at angles where it meets the table";
@@ -471,19 +508,20 @@ std::string text(Advice advice, F of) {
     case Advice::other_grains:
       return fmt::format("take grains of {:.2g} mm in place of {:.2g} mm", wanted(),
                          of.number("grain_size") * 1e3);
-    case Advice::flat_joints: return "try --matrix flat_joint: flat joints break in tension at less of UCS";
-    case Advice::slits: return "try --matrix flat_joint: slits let cracks begin early";
+    case Advice::flat_joints:
+      return "try " + option_set("matrix", "flat_joint") + ": flat joints break in tension at less of UCS";
+    case Advice::slits: return "try " + option_set("matrix", "flat_joint") + ": slits let cracks begin early";
     case Advice::other_layers: return "try another model (layers)";
-    case Advice::other_layers_or_matrix: return "try another model (layers, --matrix)";
+    case Advice::other_layers_or_matrix:
+      return fmt::format("try another model (layers, {})", option("matrix"));
     case Advice::try_rival:
-      return fmt::format("try {} in a new folder, with {}", of.names[0],
-                         list_text({of.names.begin() + 2, of.names.end()}));
-    case Advice::longer_search: return "start a new folder with " + list_text(of.names);
-    case Advice::search_again: return "search again (--effort, packing.seed)";
+      return fmt::format("try {} in a new folder, with {}", of.names[0], options_of_rival(of));
+    case Advice::longer_search: return "start a new folder with " + options_of_search(of);
+    case Advice::search_again: return fmt::format("search again ({}, packing.seed)", option("effort"));
     case Advice::search_again_by:
-      return fmt::format("search again (--effort, packing.seed) with {}", of.names.front());
-    case Advice::try_model: return fmt::format("try {} (layers, --matrix)", of.names.front());
-    case Advice::more_tests: return "take a larger --max-tests";
+      return fmt::format("search again ({}, packing.seed) with {}", option("effort"), of.names.front());
+    case Advice::try_model: return fmt::format("try {} (layers, {})", of.names.front(), option("matrix"));
+    case Advice::more_tests: return "take a larger " + option("max-tests");
     case Advice::check_unit:
     case Advice::check_unit_and_column:
     case Advice::check_pressures:

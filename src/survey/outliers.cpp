@@ -11,9 +11,12 @@
 #include "records/calibration.hpp"
 #include "survey/cells.hpp"
 #include "theory/jaeger_fit.hpp"
+#include "verdict/margin.hpp"
 
 namespace phy::survey {
 namespace {
+
+using verdict::tolerance;
 
 constexpr double level = 0.05;         // of a whole table
 constexpr int least_degrees = 4;       // behind a scatter that may accuse

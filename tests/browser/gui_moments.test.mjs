@@ -17,7 +17,7 @@ const verdict = {
   status: "out of reach",
   sentence: "out of reach: the search was short (it would be longer with a larger --max-tests in a new folder)",
   summary: ["tables.txt says which misses would pass"],
-  findings: ["flat joints may come nearer: --matrix flat_joint"],
+  findings: [{ kind: "nearest_in_maps", text: "flat joints may come nearer: --matrix flat_joint" }],
 };
 
 let browser;

@@ -18,9 +18,9 @@ TEST(TwinTrial, ThreeRocksAreRecoveredFromNoisyTables) {
   Coverage parameters, responses;
   std::vector<double> E, ucs;
   for (std::uint32_t k = 0; k < 3; ++k) {
-    const Trial t = run_trial(k, model, angles, 60, *simulator);
+    const Trial t = run_trial(k, model, angles, {60}, *simulator);
     SCOPED_TRACE(fmt::format("rock {}: {}", k, to_string(t.found.verdict.status)));
-    EXPECT_LE(t.found.n_strength_tests, 60);
+    EXPECT_LE(t.found.counts.tests, 60);
     ASSERT_EQ(t.found.verification.size(), 12U);
     E.push_back(rmse_against(t.found.verification, t.unseen, Property::E));
     ucs.push_back(rmse_against(t.found.verification, t.unseen, Property::ucs));

@@ -41,7 +41,7 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
        {"Table 1. Intact rock", "Cohesion C_sj [MPa]", "95 % interval",
         "Laboratory and model, on unseen packings", "root mean square error", "72 tests in compression"})
     EXPECT_THAT(output, HasSubstr(text));
-  const std::string all = output, first = all.substr(all.find("next: "), 30);  // of the sentence of verdict
+  const std::string all = output, first = all.substr(all.find("Next: "), 30);  // of the sentence of verdict
   EXPECT_GT(all.rfind(first), all.find("tests in compression")) << "and where the output ends";
   EXPECT_THAT(read(out() + "/tables.txt"), testing::AllOf(HasSubstr("Details\n"), HasSubstr("verdict: ")));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"verification\""));

@@ -39,8 +39,10 @@ std::vector<Comparison> confined_response(const Recipe& truth, const std::vector
   const Recipe settings = calibrate::test_settings(truth, targets, seeds.front(), simulator);
   std::vector<Comparison> rows, moduli;
   const bool as_read = E_is != ModulusReading::small_strain;
-  rows = calibrate::strength_response(settings, targets, seeds, calibrate::from_rest, simulator, E_is,
-                                      as_read ? &moduli : nullptr);
+  calibrate::TestSeries series(settings, targets, seeds.front(), calibrate::from_rest, simulator);
+  series.take(seeds);
+  rows = series.strengths();
+  if (as_read) moduli = series.moduli(E_is);
   rows.insert(rows.end(), moduli.begin(), moduli.end());
   return rows;
 }

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "calibrate/calibration.hpp"
+#include "report/words.hpp"
 #include "rock/table.hpp"
 #include "setting.hpp"
 
@@ -74,9 +75,9 @@ TEST(ElasticTensors, ModulusWithinTwoPercentOrAVerdictThatNamesTheLimit) {
     const double cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const double fitted = worst_E(c.fitted), unseen = worst_E(c.verification);
     std::printf("| %s | %.1f | %.1f | %.0f | %lld | %s |", rock.name.c_str(), 100.0 * fitted, 100.0 * unseen,
-                cpu, static_cast<long long>(c.n_elastic), to_string(c.verdict.status));
+                cpu, static_cast<long long>(c.counts.solutions), to_string(c.verdict.status));
     for (const ParameterEstimate& p : c.parameters) std::printf(" %s %.3g", p.symbol.c_str(), p.value);
-    for (const std::string& finding : c.verdict.findings) std::printf("\n    %s", finding.c_str());
+    for (const Finding& f : c.verdict.findings) std::printf("\n    %s", report::sentence(f).c_str());
     std::printf("\n");
     std::fflush(stdout);
     if (unseen <= 0.02) continue;

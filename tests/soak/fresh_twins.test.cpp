@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "fresh_twins.hpp"
-#include "report/yardsticks.hpp"
+#include "report/baselines.hpp"
 #include "setting.hpp"
 
 namespace phy {
@@ -71,7 +71,7 @@ void judge(std::uint32_t k, const FreshTwin& t, const Calibration& found,
       k, mistake_of(k).c_str(), t.n, 100.0 * t.cv, 100.0 * totals.E.back(), 100.0 * totals.worst_E.back(),
       100.0 * totals.ucs.back(), 100.0 * totals.floor_E.back(), 100.0 * totals.floor_ucs.back(), E.inside,
       E.n, ucs.inside, ucs.n, parameters.inside, parameters.n, totals.left_out.back(),
-      static_cast<long long>(found.n_strength_tests), found.seconds, to_string(found.verdict.status));
+      static_cast<long long>(found.counts.tests), found.seconds, to_string(found.verdict.status));
   std::fflush(stdout);
 }
 

@@ -21,6 +21,7 @@
 #include "../calibration/twin_trial.hpp"
 #include "calibrate/reach.hpp"
 #include "calibrate/strength_tests.hpp"
+#include "report/words.hpp"
 #include "setting.hpp"
 
 namespace phy {
@@ -126,9 +127,9 @@ TEST(TensionTwins, AreMetInCompressionAndTension) {
     EXPECT_TRUE(holds(found, table, Property::brazilian, 0.10)) << "rock " << k;
     holds(found, table, Property::E, 0.03);
     std::printf("; %s; %lld tests, %.0f s\n", to_string(found.verdict.status),
-                static_cast<long long>(found.n_strength_tests), found.seconds);
-    std::printf("%s\n", found.verdict.sentence.c_str());
-    for (const std::string& note : found.notes) std::printf("- %s\n", note.c_str());
+                static_cast<long long>(found.counts.tests), found.seconds);
+    std::printf("%s\n", report::verdict_words(found).c_str());
+    for (const Finding& note : found.notes) std::printf("- %s\n", report::sentence(note).c_str());
     std::fflush(stdout);
   }
 }

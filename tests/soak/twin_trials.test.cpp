@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "../calibration/twin_trial.hpp"
+#include "report/words.hpp"
 #include "setting.hpp"
 
 namespace phy {
@@ -64,7 +65,7 @@ TEST(TwinTrials, TwentyRocks) {
         "%.0f "
         "s, %s\n",
         k, 100.0 * rmse_E.back(), 100.0 * rmse_ucs.back(), here_E.inside, here_E.n, here_ucs.inside,
-        here_ucs.n, here.inside, here.n, static_cast<long long>(t.found.n_strength_tests), t.found.seconds,
+        here_ucs.n, here.inside, here.n, static_cast<long long>(t.found.counts.tests), t.found.seconds,
         to_string(t.found.verdict.status));
     std::printf(
         "         packings of the table against the unseen ones: E %.2f %%, UCS %.2f %%; unseen UCS against "
@@ -75,9 +76,10 @@ TEST(TwinTrials, TwentyRocks) {
     std::printf("         mean ln(high/low) of the strengths' intervals after each batch:");
     for (const double width : t.widths) std::printf(" %.2f", width);
     std::printf("\n");
-    for (const std::string& finding : t.found.verdict.findings) std::printf("         %s\n", finding.c_str());
+    for (const Finding& f : t.found.verdict.findings)
+      std::printf("         %s\n", report::sentence(f).c_str());
     std::fflush(stdout);
-    EXPECT_LE(t.found.n_strength_tests, budget.max_tests);
+    EXPECT_LE(t.found.counts.tests, budget.max_tests);
   }
   // four elastic parameters from E and nu, six strengths from UCS, 21 specimens
   std::printf("median RMSE: E %.2f %% (noise floor %.2f %%), UCS %.2f %% (noise floor %.2f %%)\n",

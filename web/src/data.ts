@@ -40,10 +40,16 @@ export interface Comparison {
   jaeger?: number | null; // of UCS: plane of weakness
 }
 
+/** What was found: its kind and what belongs to it are data, the text is for people. */
+export interface Finding {
+  kind: string;
+  text: string;
+}
+
 export interface Calibration {
   rock: string;
   method?: "sequence"; // none: a posterior
-  verdict: { status: string; sentence?: string; summary?: string[]; findings: string[] };
+  verdict: { status: string; sentence: string; summary: string[]; findings: Finding[] };
   tables?: { title: string; head: string; rows: [string, string][] }[]; // parameters in words; not in older files
   errors?: ({ of: string } & Record<string, number | string>)[]; // root mean squares
   runs?: { strength_tests: number; of_these_in_tension: number; elastic_solutions: number };
@@ -54,7 +60,7 @@ export interface Calibration {
   compared?: Comparison[]; // not fitted, without part in the verdict
   tangent_from_test?: Comparison[]; // E and nu at half of UCS; not in older files
   eq2?: { planes: string; K_n: Line; K_s: Line }[]; // macro over micro stiffness; none where Eq. 1 is not of the model
-  notes: string[];
+  notes: Finding[];
 }
 
 /** K over k, and the line K = slope k + intercept [Pa/m]; null: not determined. */

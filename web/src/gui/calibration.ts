@@ -67,11 +67,11 @@ function verdict(c: Calibrating): Child[] {
   const report = c.files.find((f) => f.endsWith("report.html"));
   const list = (items: string[]) => h("ul", { class: "findings" }, ...items.map((s) => h("li", {}, ...worded(s, c.files))));
   return [
-    h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, ...worded(c.verdict.sentence || c.verdict.status, c.files))),
+    h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, ...worded(c.verdict.sentence, c.files))),
     report ? h("p", {}, fileLink(report, "Open the report")) : null,
     report ? command(`phyllite report ${argument(c.folder)}`) : null,
     c.verdict.summary.length > 0 && list(c.verdict.summary),
-    c.verdict.findings.length > 0 && fold(counted(c.verdict.findings.length, "finding"), list(c.verdict.findings)),
+    c.verdict.findings.length > 0 && fold(counted(c.verdict.findings.length, "finding"), list(c.verdict.findings.map((f) => f.text))),
   ];
 }
 

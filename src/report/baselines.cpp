@@ -1,4 +1,4 @@
-#include "report/yardsticks.hpp"
+#include "report/baselines.hpp"
 
 #include <fmt/format.h>
 
@@ -72,10 +72,10 @@ std::vector<Comparison> inside(const std::vector<Comparison>& rows, const std::v
 
 }  // namespace
 
-const std::vector<Yardstick>& yardsticks() {
-  static const std::vector<Yardstick> list = {{"interpolated", "straight line", interpolated},
-                                              {"parabola", "parabola", parabola},
-                                              {"jaeger", "weak plane", jaeger}};
+const std::vector<Baseline>& baselines() {
+  static const std::vector<Baseline> list = {{"interpolated", "straight line", interpolated},
+                                             {"parabola", "parabola", parabola},
+                                             {"jaeger", "weak plane", jaeger}};
   return list;
 }
 
@@ -86,20 +86,16 @@ std::vector<ErrorRow> error_rows(const Calibration& c) {
         row_for(fmt::format("{} unseen packings", c.verification.front().n_packings), c.verification));
   const std::vector<Comparison> table = inside(c.fitted, c.fitted), ours = inside(c.left_out, c.fitted);
   if (table.empty()) return rows;
-  if (!ours.empty()) rows.push_back(row_for("left out, this model", ours));
-  for (const Yardstick& y : yardsticks()) {
+  if (!ours.empty()) rows.push_back(row_for("left out, this model", ours)), rows.back().is_left_out = true;
+  for (const Baseline& y : baselines()) {
     std::vector<Comparison> predicted = table;
     for (Comparison& p : predicted) p.mean = y.predict(c.fitted, p.target);
-    const ErrorRow row = row_for(fmt::format("left out, {}", y.name), predicted);
+    ErrorRow row = row_for(fmt::format("left out, {}", y.name), predicted);
+    row.is_left_out = true, row.baseline = y.key;
     if (std::any_of(row.rms.begin(), row.rms.end(), [](double v) { return std::isfinite(v); }))
       rows.push_back(row);
   }
   return rows;
-}
-
-std::string error_text(Property property, double rms) {
-  if (!std::isfinite(rms)) return "-";
-  return property == Property::nu ? fmt::format("{:.3f}", rms) : fmt::format("{:.1f} %", 100.0 * rms);
 }
 
 }  // namespace phy::report

@@ -11,7 +11,7 @@
 
 #include "records/calibration.hpp"
 
-namespace phy::calibrate {
+namespace phy::verdict {
 
 /// Misses that pass whatever the scatter.
 inline double tolerance(Property property) { return measured(property).tolerance; }
@@ -22,12 +22,12 @@ inline double coarsest(Property property) { return measured(property).coarsest; 
 constexpr double modulus_limit = 0.06, strength_limit = 0.10;
 
 /// Standard errors beyond which a difference is no chance, 1 % to both sides.
-constexpr double surely = 2.58;
+constexpr double z_99 = 2.58;
 
 /// Model less laboratory: relative, but of nu absolute.
 double miss_of(const Comparison& row);
 
-/// In the same units: the miss that passes without a word.
+/// In the same units: the miss that passes.
 double margin(const Comparison& row);
 
 bool misses(const Comparison& row);
@@ -45,4 +45,4 @@ bool unresolved(const Comparison& row);
 /// number of specimens below a hundred.
 std::optional<int> specimens_missing(const Comparison& row);
 
-}  // namespace phy::calibrate
+}  // namespace phy::verdict

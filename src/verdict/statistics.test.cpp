@@ -6,10 +6,10 @@
 
 #include "base/rng.hpp"
 #include "base/stats.hpp"
-#include "calibrate/margin.hpp"
-#include "calibrate/verdict.hpp"
+#include "verdict/judge.hpp"
+#include "verdict/margin.hpp"
 
-namespace phy::calibrate {
+namespace phy::verdict {
 namespace {
 
 constexpr std::uint32_t n_tables = 1000;
@@ -132,18 +132,18 @@ Shares verdicts(int n, double cv, double miss, double packing_scatter) {
   Shares shares;
   for (std::uint32_t k = 0; k < n_tables; ++k) {
     const Rock rock = table(k, Property::ucs, 7, n, cv);
-    const Evidence evidence(rock);
-    Calibration c;
+    const std::vector<Target> targets = targets_of(rock);
+    Results r;
     for (std::size_t n_packings = first_packings;; n_packings += first_packings) {  // as a calibration does
-      c.verification.clear();
+      r.verification.clear();
       for (int cell = 0; cell < 7; ++cell)
-        c.verification.push_back(unseen(evidence.targets[static_cast<std::size_t>(cell)], truth_at(cell),
+        r.verification.push_back(unseen(targets[static_cast<std::size_t>(cell)], truth_at(cell),
                                         cell == 3 ? miss : 0.0, packing_scatter, k, n_packings));
-      if (!wants_packings(c.verification) || n_packings == most_packings) break;
+      if (!wants_packings(r.verification) || n_packings == most_packings) break;
     }
-    judge(c, {}, evidence, false);
+    const VerdictStatus status = judge(r).status;
     double* const share[] = {&shares.calibrated, &shares.except, &shares.not_resolved, &shares.out_of_reach};
-    *share[static_cast<int>(c.verdict.status)] += 100.0 / n_tables;
+    *share[static_cast<int>(status)] += 100.0 / n_tables;
   }
   return shares;
 }
@@ -167,4 +167,4 @@ TEST(Statistics, AModelThatIsTheRockIsCalibratedAndOneThatMissesAStrengthIsNot) 
 }
 
 }  // namespace
-}  // namespace phy::calibrate
+}  // namespace phy::verdict

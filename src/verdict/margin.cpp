@@ -1,11 +1,11 @@
-#include "calibrate/margin.hpp"
+#include "verdict/margin.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/stats.hpp"
 
-namespace phy::calibrate {
+namespace phy::verdict {
 namespace {
 
 constexpr int most_specimens = 100;
@@ -55,4 +55,4 @@ std::optional<int> specimens_missing(const Comparison& row) {
   return std::nullopt;
 }
 
-}  // namespace phy::calibrate
+}  // namespace phy::verdict

@@ -1,12 +1,12 @@
 // Margins against hand calculations with tabulated quantiles of Student's t.
-#include "calibrate/margin.hpp"
+#include "verdict/margin.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
-namespace phy::calibrate {
+namespace phy::verdict {
 namespace {
 
 /// A row of UCS of mean 100: `packings` of the model with an SD of their own.
@@ -74,4 +74,4 @@ TEST(Margin, TellsHowManySpecimensAreMissing) {
 }
 
 }  // namespace
-}  // namespace phy::calibrate
+}  // namespace phy::verdict

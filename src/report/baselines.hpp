@@ -13,24 +13,23 @@
 
 namespace phy::report {
 
-struct Yardstick {
+struct Baseline {
   const char* key;   ///< in calibration.json
   const char* name;  ///< for people
   /// The value of a cell by the others; NaN: the rule says nothing of it.
   double (*predict)(const std::vector<Comparison>& rows, const Target& cell);
 };
-const std::vector<Yardstick>& yardsticks();
+const std::vector<Baseline>& baselines();
 
 /// Root mean square errors per property, relative, of nu absolute; NaN: none.
 struct ErrorRow {
   std::string of;
   std::array<double, n_properties> rms;
+  bool is_left_out = false;
+  std::string baseline = {};  ///< its key, of a row that is not the model's
 };
-/// Fitted, unseen packings, left out, and the yardsticks of what is left out. The last four over cells with
-/// neighbours on both sides, which all of them can tell; E and nu are left out by the yardsticks alone.
+/// Fitted, unseen packings, left out, and the baselines of what is left out. The last four over cells with
+/// neighbours on both sides, which all of them can predict; E and nu are left out by the baselines alone.
 std::vector<ErrorRow> error_rows(const Calibration& calibration);
-
-/// "4.1 %", of nu "0.042"; "-" for none.
-std::string error_text(Property property, double rms);
 
 }  // namespace phy::report

@@ -1,10 +1,12 @@
 // What simpler rules say of a value that they were not shown.
-#include "report/yardsticks.hpp"
+#include "report/baselines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+
+#include "report/words.hpp"
 
 namespace phy::report {
 namespace {
@@ -23,12 +25,12 @@ std::vector<Comparison> table(Property p, double (*value)(double)) {
 }
 
 double predicted(const char* key, const std::vector<Comparison>& rows, std::size_t i) {
-  for (const Yardstick& y : yardsticks())
+  for (const Baseline& y : baselines())
     if (std::string(y.key) == key) return y.predict(rows, rows[i].target);
   return std::nan("");
 }
 
-TEST(Yardsticks, AParabolaFindsWhatItMadeAtTheEndsToo) {
+TEST(Baselines, AParabolaFindsWhatItMadeAtTheEndsToo) {
   const auto rows = table(Property::E, [](double t) { return 4e10 - 3e8 * t + 5e6 * t * t; });
   for (std::size_t i = 0; i < rows.size(); ++i)
     EXPECT_NEAR(predicted("parabola", rows, i), rows[i].target.mean, 1e-6 * rows[i].target.mean);
@@ -37,7 +39,7 @@ TEST(Yardsticks, AParabolaFindsWhatItMadeAtTheEndsToo) {
   EXPECT_NEAR(predicted("interpolated", rows, 3) - rows[3].target.mean, 5e6 * 225.0, 1.0);
 }
 
-TEST(Yardsticks, APlaneOfWeaknessFindsWhatItMade) {
+TEST(Baselines, APlaneOfWeaknessFindsWhatItMade) {
   // Coulomb: c = 15 MPa, tan phi = 0.4, matrix 100 MPa, by the drive on the plane
   const auto rows = table(Property::ucs, [](double t) {
     const double a = t * std::acos(-1.0) / 180.0;
@@ -49,7 +51,7 @@ TEST(Yardsticks, APlaneOfWeaknessFindsWhatItMade) {
   EXPECT_TRUE(std::isnan(predicted("jaeger", table(Property::brazilian, [](double) { return 5e6; }), 3)));
 }
 
-TEST(Yardsticks, AllAreJudgedOnTheSameCells) {
+TEST(Baselines, AllAreJudgedOnTheSameCells) {
   Calibration c;
   c.fitted = c.left_out = table(Property::ucs, [](double t) { return 6e7 + 1e5 * t; });
   c.left_out.front().mean *= 10.0;  // an end, which a line cannot tell
@@ -59,8 +61,8 @@ TEST(Yardsticks, AllAreJudgedOnTheSameCells) {
   EXPECT_NEAR(rows[1].rms[2], 0.1, 1e-12);
   EXPECT_NEAR(rows[2].rms[2], 0.0, 1e-12);
   EXPECT_TRUE(std::isnan(rows[1].rms[0]));
-  EXPECT_EQ(error_text(Property::nu, 0.0423), "0.042");
-  EXPECT_EQ(error_text(Property::ucs, std::nan("")), "-");
+  EXPECT_EQ(miss_text(Property::nu, 0.0423), "0.042");
+  EXPECT_EQ(miss_text(Property::ucs, std::nan("")), "-");
 }
 
 }  // namespace

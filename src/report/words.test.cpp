@@ -1,0 +1,219 @@
+// The sentences that are pinned on purpose, about twenty; everything else asks findings for their kind.
+#include "report/words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "base/nan.hpp"
+
+namespace phy::report {
+namespace {
+
+using testing::ElementsAre;
+using Kind = FindingKind;
+
+const Cell ucs_60{Property::ucs, 60.0}, nu_0{Property::nu, 0.0};
+
+TEST(Words, NumbersHaveThreeDigitsAndTheirUnit) {
+  EXPECT_EQ(value_text(Property::ucs, 118.2e6), "118 MPa");
+  EXPECT_EQ(value_text(Property::E, 23.05e9), "23.1 GPa");
+  EXPECT_EQ(value_text(Property::fracture_toughness, 1.84e6), "1.84 MPa sqrt(m)");
+  EXPECT_EQ(value_text(Property::nu, 0.5291), "0.529");
+  EXPECT_EQ(value_text(Property::nu, nan), "-");
+  EXPECT_EQ(miss_text(Property::ucs, 0.0412), "4.1 %");
+  EXPECT_EQ(miss_text(Property::ucs, 0.1249), "12 %");
+  EXPECT_EQ(miss_text(Property::nu, 0.0423), "0.042");
+  EXPECT_EQ(parameter_text(1.5e6, "Pa/m"), "1.5 MPa/m");
+}
+
+TEST(Words, CellsOfOneTestAreNamedTogether) {
+  EXPECT_EQ(cells_text({{Property::ucs, 0.0}, {Property::brazilian, 0.0, 0.0, 0.054}, {Property::ucs, 30.0}}),
+            "UCS at 0 and 30 degrees, BTS (54 mm) at 0 degrees");
+  EXPECT_EQ(cells_text({{Property::confined, 45.0, 10e6}}), "sigma_1 (10 MPa) at 45 degrees");
+}
+
+TEST(Words, AValueThatIsMissed) {
+  EXPECT_EQ(
+      sentence({Kind::value_missed, {ucs_60}, {{"model", 48.0e6}, {"laboratory", 51.4e6}, {"margin", 0.06}}}),
+      "On unseen packings UCS at 60 degrees is 48.0 MPa in the model and 51.4 MPa in the table, 6.6 % too "
+      "low.");
+  EXPECT_EQ(sentence({Kind::fit_missed, {nu_0}, {{"model", 0.31}, {"laboratory", 0.26}, {"margin", 0.03}}}),
+            "nu at 0 degrees is 0.310 in the model and 0.260 in the table, 0.050 too high.");
+}
+
+TEST(Words, WhatIsTheSameOfSeveralCellsIsOneSentence) {
+  const auto silent = [](double theta, const char* why) {
+    return Finding{Kind::no_usable_peak, {{Property::ucs, theta}}, {}, {why}};
+  };
+  EXPECT_THAT(sentences({silent(0.0, "no drop"), silent(30.0, "unstable"), silent(60.0, "no drop")}),
+              ElementsAre("UCS at 0 and 60 degrees: no test on unseen packings has a usable peak (no drop).",
+                          "UCS at 30 degrees: no test on unseen packings has a usable peak (unstable)."));
+}
+
+TEST(Words, AValueThatIsNotResolvedSaysWhatWouldHelp) {
+  Finding f{Kind::value_unresolved, {ucs_60}, {{"margin", 0.226}, {"coarsest", 0.15}, {"specimens", 3.0}}};
+  EXPECT_EQ(sentence(f),
+            "UCS at 60 degrees: not resolved, an error of 23 % would pass as chance. 3 more specimens "
+            "bring that to 15 %.");
+  f.numbers = {{"margin", 0.1504}, {"coarsest", 0.15}};
+  EXPECT_EQ(sentence(f),
+            "UCS at 60 degrees: not resolved, an error of 15.0 % would pass as chance. Packings of "
+            "this size differ too much; smaller grains help.");
+}
+
+TEST(Words, CausesOfTheMisfit) {
+  EXPECT_EQ(
+      sentence({Kind::weakest_angle_no_plane, {{Property::ucs, 30.0}, {Property::ucs, 60.0}}}),
+      "The rock is weakest at 30 degrees, the model at 60 degrees. No single weak plane is weakest there.");
+  EXPECT_EQ(
+      sentence(
+          {Kind::tension_too_strong,
+           {{Property::brazilian, 0.0}},
+           {{"laboratory_low", 14.3}, {"laboratory_high", 15.0}, {"model_low", 8.6}, {"model_high", 8.6}}}),
+      "UCS/BTS is 14.3 to 15.0 in the table and 8.6 in the model. Bonded discs are strong in tension.");
+  EXPECT_EQ(sentence({Kind::moduli_scaled, {}, {{"factor", 0.8}}}),
+            "E as a whole is 0.80 times E of the table.");
+}
+
+TEST(Words, NotesOfTheWay) {
+  EXPECT_EQ(
+      sentence({Kind::search_short,
+                {},
+                {{"tests", 60.0}, {"models", 2.0}, {"of_effort", 1.0}, {"of_tests", 1.0}}}),
+      "The search was short (60 tests in compression by 2 models): --effort normal and a larger --max-tests "
+      "may come nearer.");
+  EXPECT_EQ(sentence({Kind::packings_added, {}, {{"packings", 10.0}, {"usual", 5.0}}}),
+            "Strengths of packings of this size differ so much that 10 unseen ones were taken instead of 5.");
+}
+
+Comparison row(Property p, double theta, double laboratory, double model) {
+  Comparison c;
+  c.target = {p, theta, laboratory, 0.05 * laboratory, 3, false};
+  c.mean = model, c.n_packings = 5;
+  return c;
+}
+
+TEST(Words, TheVerdictOfARockThatIsMet) {
+  Calibration c;
+  c.fitted = c.verification = {row(Property::ucs, 0, 60e6, 61e6), row(Property::nu, 0, 0.25, 0.26)};
+  c.verdict.next.advice = Advice::use_model;
+  EXPECT_EQ(verdict_words(c),
+            "Calibrated. The model has nu within 0.010 and UCS within 1.7 % of the table on packings the fit "
+            "has not "
+            "seen. The data determine every parameter. Next: run it (calibrated.toml).");
+  ParameterEstimate open;
+  open.symbol = "sigma_n,sj", open.next = {Remedy::test, {at_angle(Property::direct_tension, 0.0)}};
+  c.parameters = {open};
+  c.verdict.next = {Kind::next_step, {}, {}, {"sigma_n,sj"}, Advice::test_parameter};
+  EXPECT_THAT(verdict_words(c),
+              testing::EndsWith("The data do not determine sigma_n,sj. Next: test direct tension "
+                                "at 0 degrees."));
+}
+
+TEST(Words, TheVerdictOfATableThatIsOutOfReach) {
+  Calibration c;
+  c.verdict.status = VerdictStatus::out_of_reach;
+  c.verdict.causes = {{Kind::farthest_value,
+                       {ucs_60},
+                       {{"model", 48e6}, {"laboratory", 51.4e6}, {"share", 0.59}},
+                       {"UCS"},
+                       Advice::check_value}};
+  c.verdict.next = {Kind::next_step, {ucs_60}, {}, {}, Advice::check_value};
+  EXPECT_EQ(
+      verdict_words(c),
+      "Out of reach. 59 % of the misfit is in UCS. Farthest off is UCS at 60 degrees, 48.0 MPa in the model "
+      "and "
+      "51.4 MPa in the table. Next: check UCS at 60 degrees in the table, or test more specimens there.");
+}
+
+/// One of every kind that the words know, with all numbers and names that any of them asks for.
+Finding specimen_of(Kind kind) {
+  const bool two =
+      kind == Kind::ratio_missed || kind == Kind::weakest_angle || kind == Kind::weakest_angle_no_plane;
+  Finding f{kind, {ucs_60}, {}, {"a", "b", "planes", "flat_joint"}};
+  if (two) f.cells.push_back({Property::brazilian, 60.0});
+  for (const char* name : {"model",
+                           "laboratory",
+                           "margin",
+                           "sd",
+                           "packings",
+                           "coarsest",
+                           "specimens",
+                           "rms",
+                           "value",
+                           "E_before",
+                           "nearest",
+                           "models",
+                           "with_nu",
+                           "share",
+                           "nu",
+                           "E",
+                           "from",
+                           "to",
+                           "factor",
+                           "laboratory_low",
+                           "laboratory_high",
+                           "model_low",
+                           "model_high",
+                           "grain_size",
+                           "wanted",
+                           "miss",
+                           "tests",
+                           "of_effort",
+                           "of_tests",
+                           "strengths",
+                           "limit",
+                           "gain",
+                           "low",
+                           "high",
+                           "unanswered",
+                           "tolerances",
+                           "reached",
+                           "error",
+                           "taken_error",
+                           "of",
+                           "change",
+                           "usual",
+                           "grains",
+                           "in_radius",
+                           "fewest",
+                           "points",
+                           "paid",
+                           "draws",
+                           "effective",
+                           "r_hat",
+                           "slope",
+                           "intercept",
+                           "R2",
+                           "rounds",
+                           "softened"})
+    f.numbers.push_back({name, 0.5});
+  return f;
+}
+
+// Kinds of a calibration stand first in the enumeration; `values_unused` is their last.
+TEST(Words, EveryKindOfACalibrationHasItsSentence) {
+  for (int k = 0; k <= static_cast<int>(Kind::values_unused); ++k)
+    EXPECT_FALSE(sentence(specimen_of(static_cast<Kind>(k))).empty()) << to_string(static_cast<Kind>(k));
+}
+
+TEST(Words, EverySentenceIsAsShortAsTheHouseAsks) {
+  for (const Wording& w : words_of_calibration()) {
+    std::istringstream text(sentence(specimen_of(w.kind)));
+    std::size_t n = 0;
+    for (std::string word; text >> word;) {
+      ++n;
+      if (word.back() != '.' && word.back() != ':' && word.back() != ';') continue;
+      EXPECT_LE(n, 25U) << sentence(specimen_of(w.kind));
+      n = 0;
+    }
+    EXPECT_EQ(n, 0U) << "no full stop: " << sentence(specimen_of(w.kind));
+  }
+}
+
+}  // namespace
+}  // namespace phy::report

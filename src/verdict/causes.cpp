@@ -1,0 +1,213 @@
+#include "verdict/causes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/check.hpp"
+#include "verdict/margin.hpp"
+
+namespace phy::verdict {
+namespace {
+
+constexpr double min_share_reported = 0.15;  // of the misfit
+constexpr std::size_t most_causes = 2;
+constexpr double widest_gap = 30.0;  // [deg] between angles of UCS
+
+/// Does an advice only say what to do without the part that is missed?
+bool is_retreat(Advice advice) {
+  return advice == Advice::take_where_met || advice == Advice::leave_out_ucs ||
+         advice == Advice::leave_out_tension;
+}
+
+/// The property that a part is judged by first.
+Property first_property(Part part) {
+  const auto all = measured_properties();
+  return std::find_if(all.begin(), all.end(), [&](const MeasuredProperty& p) { return p.part == part; })
+      ->property;
+}
+
+/// Packings that differ by more than the tolerance, and by half of what is missed or more. A value
+/// that is farther off than two means over as many packings may lie apart is missed for another reason, and
+/// so is nu where E is met: what packings differ by is reported of E.
+std::optional<Finding> scattered_packings(const View& v, Part part) {
+  const double unit = tolerance(first_property(part));
+  double squares = 0.0, missed = 0.0, missed_by_nu = 0.0;
+  int n = 0;
+  bool nu_missed = false, others_missed = false;
+  for (const Comparison& c : v.rows) {
+    if (measured(c.target.property).part != part || !c.answered() || !std::isfinite(c.sd)) continue;
+    (c.target.property == Property::nu ? nu_missed : others_missed) |= misses(c);
+    if (c.target.property == Property::nu) {
+      missed_by_nu += std::pow(miss_of(c) / tolerance(Property::nu), 2.0);
+      continue;
+    }
+    const double of_mean = c.sd / c.mean / std::sqrt(std::max(1, c.n_packings));
+    if (std::fabs(c.error()) > z_99 * std::sqrt(2.0) * of_mean) return {};
+    squares += std::pow(c.sd / c.mean / unit, 2.0), missed += std::pow(c.error() / unit, 2.0), ++n;
+  }
+  if (n == 0 || squares <= n || squares < 0.25 * missed || missed_by_nu > missed) return {};
+  if (nu_missed && !others_missed) return {};
+  return Finding{FindingKind::scattered_packings,
+                 {},
+                 {{"sd", unit * std::sqrt(squares / n)}, {"miss", unit * std::sqrt(missed / n)}},
+                 {},
+                 Advice::smaller_grains};
+}
+
+Finding farthest_value(const View& v, Part part) {
+  const Comparison* worst = nullptr;
+  for (const Comparison& c : v.rows)
+    if (measured(c.target.property).part == part && c.answered() &&
+        (worst == nullptr || std::fabs(scaled_error(c)) > std::fabs(scaled_error(*worst))))
+      worst = &c;
+  PHY_CHECK(worst != nullptr, "a part that misses has a value that was answered");
+  return {FindingKind::farthest_value,
+          {cell_of(worst->target)},
+          {{"model", worst->mean}, {"laboratory", worst->target.mean}},
+          {},
+          Advice::check_value};
+}
+
+Finding cause_of(const View& v, Part part) {
+  static const std::map<Part, std::vector<CauseRule*>> rules = {
+      {Part::moduli, {nu_of_no_body, stiffening, moduli_scaled, modulus_ratio}},
+      {Part::compression, {weakest_angle, ucs_ratio}},
+      {Part::tension, {tension_ratio}},
+      {Part::initiation, {initiation_ratio}},
+      {Part::toughness, {grains_for_toughness}}};
+  for (CauseRule* rule : rules.at(part))
+    if (const auto cause = rule(v)) return *cause;
+  if (const auto cause = scattered_packings(v, part)) return *cause;
+  return farthest_value(v, part);
+}
+
+/// Parts with a share that is reported, the largest first.
+std::vector<Part> ranked(const View& v) {
+  std::vector<Part> parts;
+  for (int i = 0; i < n_parts; ++i)
+    if (const auto p = static_cast<Part>(i); v.share(p) >= min_share_reported) parts.push_back(p);
+  std::stable_sort(parts.begin(), parts.end(), [&](Part a, Part b) { return v.share(a) > v.share(b); });
+  return parts;
+}
+
+/// "E", "nu": what the table has of a part.
+std::vector<std::string> properties_of(const View& v, Part part) {
+  std::vector<std::string> names;
+  for (const Comparison& c : v.rows)
+    if (const std::string name = to_string(c.target.property);
+        measured(c.target.property).part == part &&
+        std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  return names;
+}
+
+/// Values without any answer of the model.
+std::vector<Cell> unanswered_cells(const View& v) {
+  std::vector<Cell> cells;
+  for (const Comparison& c : v.of.fitted) {
+    const Comparison* unseen = row_of(v.of.verification, c.target);
+    if (!c.answered() || (unseen != nullptr && !unseen->answered())) cells.push_back(cell_of(c.target));
+  }
+  return cells;
+}
+
+/// Neighbours in theta with UCS that nothing lies between for far.
+std::optional<Finding> gap_in_ucs(const View& v) {
+  std::vector<double> angles;
+  for (const Comparison& c : v.answered(Property::ucs)) angles.push_back(c.target.theta);
+  std::sort(angles.begin(), angles.end());
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    if (angles[i] - angles[i - 1] > widest_gap)
+      return Finding{
+          FindingKind::gap_in_ucs, {}, {{"from", angles[i - 1]}, {"to", angles[i]}}, {}, Advice::fill_gap};
+  return {};
+}
+
+/// Of a search without all points of a usual one.
+std::optional<Finding> search_short(const Calibration& c) {
+  if (!c.shortage.any()) return {};
+  return Finding{FindingKind::search_short,
+                 {},
+                 {{"tests", static_cast<double>(c.counts.compression())},
+                  {"models", static_cast<double>(c.discarded.size() + 1)},
+                  {"of_effort", c.shortage.of_effort ? 1.0 : 0.0},
+                  {"of_tests", c.shortage.of_tests ? 1.0 : 0.0}},
+                 {},
+                 Advice::longer_search};
+}
+
+/// The step that an advice of a finding is.
+Finding step(const Finding& of) {
+  return {FindingKind::next_step, of.cells, of.numbers, of.names, of.advice};
+}
+Finding step(Advice advice) { return {FindingKind::next_step, {}, {}, {}, advice}; }
+
+/// What remains open of a model that meets its table, and which test would close most of it.
+void explain_met(const View& v, Verdict& verdict) {
+  const auto gap = gap_in_ucs(v), cut = search_short(v.of);
+  if (v.moduli_alone()) verdict.causes.push_back({FindingKind::strengths_of_recipe});
+  for (const auto& cause : {gap, cut})
+    if (cause) verdict.causes.push_back(*cause);
+  verdict.next = v.moduli_alone() ? step(Advice::calibrate_strengths)
+                 : gap            ? step(*gap)
+                                  : step(Advice::use_model);
+  for (const ParameterEstimate& e : v.of.parameters)
+    if (e.open() && e.next.remedy != Remedy::none) {
+      verdict.next = {FindingKind::next_step, {}, {}, {e.symbol}, Advice::test_parameter};
+      return;
+    }
+}
+
+/// A table that is met where misses that matter would pass for chance.
+void explain_unresolved(const View& v, Verdict& verdict) {
+  Finding next{FindingKind::next_step, {}, {}, {}, Advice::more_specimens};
+  for (const Comparison& c : v.rows)
+    if (c.answered() && !misses(c) && unresolved(c)) {
+      next.cells.push_back(cell_of(c.target));
+      if (!specimens_missing(c)) next.advice = Advice::smaller_grains;
+    }
+  if (v.moduli_alone()) verdict.causes.push_back({FindingKind::strengths_of_recipe});
+  if (const auto cut = search_short(v.of)) verdict.causes.push_back(*cut);
+  verdict.next = next;
+}
+
+/// What most of the misfit is about.
+void explain_missed(const View& v, Verdict& verdict) {
+  std::vector<Finding>& causes = verdict.causes;
+  if (std::vector<Cell> cells = unanswered_cells(v); !cells.empty())
+    causes.push_back({FindingKind::unanswered, std::move(cells), {}, {}, Advice::see_findings});
+  const std::vector<Part> parts = ranked(v);
+  for (const Part part : parts) {
+    if (causes.size() == most_causes) break;
+    causes.push_back(cause_of(v, part));
+    causes.back().numbers.push_back({"share", v.share(part)});
+    causes.back().names = properties_of(v, part);
+  }
+  verdict.next = causes.empty() ? step(Advice::see_findings) : step(causes.front());
+  if (verdict.status == VerdictStatus::out_of_reach && v.of.rival && is_retreat(verdict.next.advice))
+    verdict.next = step(*v.of.rival);
+  if (const auto cut = search_short(v.of)) {
+    causes.push_back(*cut);
+    if (parts.empty() || parts.front() != Part::moduli) verdict.next = step(*cut);  // which no search changes
+  }
+  if (v.moduli_alone()) causes.push_back({FindingKind::strengths_of_recipe});
+}
+
+}  // namespace
+
+void explain(Calibration& c) {
+  Verdict verdict = c.verdict;
+  verdict.causes.clear();
+  const View view(c);
+  switch (verdict.status) {
+    case VerdictStatus::interrupted: verdict.next = step(Advice::resume); break;
+    case VerdictStatus::calibrated: explain_met(view, verdict); break;
+    case VerdictStatus::not_resolved: explain_unresolved(view, verdict); break;
+    case VerdictStatus::calibrated_except:
+    case VerdictStatus::out_of_reach: explain_missed(view, verdict); break;
+  }
+  c.verdict = std::move(verdict);
+}
+
+}  // namespace phy::verdict

@@ -1,0 +1,26 @@
+// Why a calibration ended as it did, and what to do next.
+//
+// The misfit of a cell is its error over what it may miss by (docs/calibration.md, "Verdict"); its
+// squares, summed over moduli, UCS and tension, rank these three. For each a short list of rules is tried,
+// from the particular to the general; a rule speaks only where numbers of the result bear it beyond chance,
+// and what it says is true of the table and the model whoever reads it. What no rule explains is named by its
+// farthest cell.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "records/calibration.hpp"
+#include "verdict/view.hpp"
+
+namespace phy::verdict {
+
+/// Sets causes and next step of a verdict whose status and findings are known.
+void explain(Calibration& calibration);
+
+/// A rule: what is wrong with its part of the table, with the advice; nothing: it does not apply.
+using CauseRule = std::optional<Finding>(const View&);
+CauseRule nu_of_no_body, stiffening, moduli_scaled, modulus_ratio;  // moduli
+CauseRule weakest_angle, ucs_ratio;                                 // compression
+CauseRule tension_ratio, initiation_ratio, grains_for_toughness;    // other strengths
+
+}  // namespace phy::verdict

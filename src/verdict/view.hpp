@@ -1,0 +1,44 @@
+// The table beside the model as rules of the verdict see it: every cell as it is judged, on unseen packings
+// where there are some, and which part of the table holds how much of the misfit.
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "records/calibration.hpp"
+
+namespace phy::verdict {
+
+constexpr double z_one_sided_95 = 1.64;  ///< standard errors
+constexpr double least_change = 0.10;    ///< of a ratio of strengths, from where on it is another one
+
+/// A miss in units of the one that passes.
+double scaled_error(const Comparison& row);
+
+/// Standard errors of the logarithm of a mean: of the laboratory, of the model, of both.
+double error_of_laboratory(const Comparison& row);
+double error_of_model(const Comparison& row);
+
+/// A value at 90 over that at 0 degrees, of table and model, with the standard error of their logarithms.
+struct EndRatio {
+  double laboratory, model, error_of_laboratory, error_of_model;
+  double error() const;
+  double difference() const;
+};
+
+struct View {
+  const Calibration& of;
+  std::vector<Comparison> rows;
+  std::array<double, n_parts> misfit = {};  ///< of each part: sums of squares
+
+  explicit View(const Calibration& calibration);
+  /// With an answer, by angle as they come.
+  std::vector<Comparison> answered(Property property) const;
+  const Comparison* at(Property property, double theta) const;
+  bool moduli_alone() const;
+  double share(Part part) const;
+  /// Under one stress; nothing: the table lacks one of the two.
+  std::optional<EndRatio> end_ratio(Property property) const;
+};
+
+}  // namespace phy::verdict
