@@ -17,7 +17,7 @@ FLOORS = {
     "engine": 3, "analysis": 3, "io": 3,
     "genesis": 4, "lab": 4, "statics": 4, "rock": 4,
     "study": 5, "report": 5,
-    "survey": 6, "calibrate": 6, "verdict": 6, "verification": 6,
+    "survey": 6, "maps": 6, "calibrate": 6, "verdict": 6, "verification": 6,
     "jobs": 7,
     "cli": 8, "gui": 8, "python": 8,
 }
@@ -25,7 +25,7 @@ MAKES_RESULTS = {"laws", "contact", "engine", "analysis", "genesis", "lab", "sta
 NEVER = {("analysis", "engine"), ("analysis", "genesis")}
 NEVER |= {(room, "theory") for room in MAKES_RESULTS} | {("theory", room) for room in MAKES_RESULTS}
 NEVER |= {("report", room) for room in MAKES_RESULTS | {"study"}}  # it reads records, whoever made them
-NEVER |= {("study", "report"), ("calibrate", "engine"), ("calibrate", "contact"), ("calibrate", "report")}
+NEVER |= {("study", "report"), ("maps", "calibrate"), ("maps", "survey"), ("survey", "calibrate"), ("calibrate", "engine"), ("calibrate", "contact"), ("calibrate", "report")}
 LONERS = {"laws": "a law", "lab": "a laboratory test"}  # each in a folder of its own
 COMMON = {"base", "records"}  # the vocabulary of all rooms: in phy itself, not in phy::<room>
 OPENS_FILES = {"study/store.cpp"}  # of the system: in /proc they have no size

@@ -20,18 +20,18 @@
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/family.hpp"
 #include "calibrate/strength_tests.hpp"
 #include "io/file.hpp"
 #include "io/table.hpp"
 #include "lab/brazilian/reading.hpp"
+#include "maps/mapped_model.hpp"
 #include "study/design.hpp"
 
 namespace phy {
 namespace {
 
-using calibrate::Lever;
-using calibrate::ModelFamily;
+using maps::MappedModel;
+using maps::MapVariable;
 
 constexpr std::int64_t first_packing = 401, n_packings = 5;
 constexpr std::int64_t loose_grains = 1227;   // porosity 0.15
@@ -49,16 +49,17 @@ struct MapTest {
 };
 struct MapRow {
   std::int64_t point, packing, n_grains;
-  std::vector<double> levers;
+  std::vector<double> variables;
   std::vector<MapTest> tests;
 };
 
 std::string cell(double v) { return std::isfinite(v) ? fmt::format(",{:.4g}", v) : ","; }
 
-/// What a row begins with: point, packing, grains and levers. A point whose levers are others is another.
+/// What a row begins with: point, packing, grains and variables. A point whose variables are others is
+/// another.
 std::string head_of(const MapRow& row) {
   std::string text = fmt::format("{},{},{}", row.point + 1, row.packing, row.n_grains);
-  for (const double v : row.levers) text += cell(v);
+  for (const double v : row.variables) text += cell(v);
   return text;
 }
 
@@ -144,10 +145,10 @@ double expected_ucs(const Recipe& r, double theta) {
 
 std::vector<Target> expected(const Recipe& r, bool layered) {
   std::vector<Target> list;
-  for (const double theta : calibrate::mapped_angles)
+  for (const double theta : maps::mapped_angles)
     if (layered || theta == 0.0) list.push_back({Property::ucs, theta, expected_ucs(r, theta), 1.0, 1, true});
   if (!layered) list.push_back({Property::direct_tension, 0.0, 0.6 * r.matrix.sigma_c, 1.0, 1, true});
-  for (const double theta : calibrate::mapped_disc_angles)
+  for (const double theta : maps::mapped_disc_angles)
     if (layered || theta == 0.0)
       list.push_back({Property::brazilian, theta, 0.6 * r.matrix.sigma_c, 1.0, 1, true});
   return list;
@@ -212,21 +213,22 @@ std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool confined, 
 struct Place {
   std::int64_t number;
   bool at_base;
-  std::vector<double> levers;
+  std::vector<double> variables;
 };
 
-/// The sequence over all levers, then the one over those that do not stay at the base.
-std::vector<Place> places_of(const ModelFamily& family) {
+/// The sequence over all variables, then the one over those that do not stay at the base.
+std::vector<Place> places_of(const MappedModel& family) {
   std::vector<Place> places;
   for (const bool at_base : {false, true}) {
-    const auto moves = [&](const Lever& l) { return !(at_base && l.at_base); };
-    const auto d = static_cast<std::size_t>(std::count_if(family.levers.begin(), family.levers.end(), moves));
+    const auto moves = [&](const MapVariable& l) { return !(at_base && l.at_base); };
+    const auto d =
+        static_cast<std::size_t>(std::count_if(family.variables.begin(), family.variables.end(), moves));
     const int n = at_base ? family.n_at_base : family.n_points;
     for (const auto& u : study::sobol_sequence(d, static_cast<std::size_t>(n))) {
       Place place{static_cast<std::int64_t>(places.size()), at_base, {}};
       auto next = u.begin();
-      for (const Lever& l : family.levers)
-        place.levers.push_back(moves(l) ? l.at_place(2.0 * *next++ - 1.0) : l.get(family.base));
+      for (const MapVariable& l : family.variables)
+        place.variables.push_back(moves(l) ? l.from_normalised(2.0 * *next++ - 1.0) : l.get(family.base));
       places.push_back(place);
     }
   }
@@ -240,22 +242,22 @@ struct Begun {
   bool confined;
 };
 
-std::vector<Begun> begin_map(const ModelFamily& family) {
+std::vector<Begun> begin_map(const MappedModel& family) {
   std::vector<Begun> begun;
   for (const Place& place : places_of(family)) {
     Recipe r = family.base;
-    for (std::size_t i = 0; i < family.levers.size(); ++i) family.levers[i].set(r, place.levers[i]);
-    for (std::int64_t k = 0; k < (family.layered ? 1 : 2 * n_packings); ++k) {
-      const std::int64_t packing = first_packing + (family.layered ? place.number : k) % n_packings;
+    for (std::size_t i = 0; i < family.variables.size(); ++i) family.variables[i].set(r, place.variables[i]);
+    for (std::int64_t k = 0; k < (family.layered() ? 1 : 2 * n_packings); ++k) {
+      const std::int64_t packing = first_packing + (family.layered() ? place.number : k) % n_packings;
       if (k >= n_packings) r.packing.n_grains = loose_grains;
-      begun.push_back({{place.number, packing, r.packing.n_grains, place.levers, {}}, r, !place.at_base});
+      begun.push_back({{place.number, packing, r.packing.n_grains, place.variables, {}}, r, !place.at_base});
     }
   }
   return begun;
 }
 
 /// The base recipe of a family in grains of other sizes, the same specimen and porosity.
-std::vector<Begun> begin_sizes(const ModelFamily& family) {
+std::vector<Begun> begin_sizes(const MappedModel& family) {
   std::vector<Begun> begun;
   for (const std::int64_t n : {330, 660, 1321, 2642, 5284}) {
     Recipe r = family.base;
@@ -268,12 +270,12 @@ std::vector<Begun> begin_sizes(const ModelFamily& family) {
 }
 
 /// All solutions of all rows together.
-std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun, const Before& before,
+std::vector<MapRow> rows_of(const MappedModel& family, std::vector<Begun> begun, const Before& before,
                             calibrate::Simulator& simulator) {
   const auto wanted = [&](const Begun& b) {
-    std::vector<Target> targets = expected(b.recipe, family.layered);
-    std::erase_if(targets,
-                  [&](const Target& t) { return !is_wanted(t, family.layered, b.confined, b.row, before); });
+    std::vector<Target> targets = expected(b.recipe, family.layered());
+    std::erase_if(
+        targets, [&](const Target& t) { return !is_wanted(t, family.layered(), b.confined, b.row, before); });
     return targets;
   };
   std::vector<Recipe> specimens;
@@ -286,17 +288,17 @@ std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun,
   for (Begun& b : begun) {
     std::vector<double> moduli;
     for (std::size_t n = wanted(b).size(); n > 0; --n) moduli.push_back(next++->E_gauge);
-    b.row.tests = tests_of(b.recipe, family.layered, b.confined, b.row, moduli, before);
+    b.row.tests = tests_of(b.recipe, family.layered(), b.confined, b.row, moduli, before);
     rows.push_back(std::move(b.row));
   }
   return rows;
 }
 
 /// Rows of the second sequence have no confined tests, which come last.
-std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
+std::string table_of(const MappedModel& family, const std::vector<MapRow>& rows,
                      const std::vector<TestResult>& results, const Before& before) {
   std::string text = "point,packing,n_grains";
-  for (const Lever& l : family.levers) text += fmt::format(",{}", l.name);
+  for (const MapVariable& l : family.variables) text += fmt::format(",{}", l.name);
   std::size_t n_columns = 0, next = 0;
   for (const MapTest& t : rows.front().tests)
     for (const Column& c : t.columns) text += "," + c.name, ++n_columns;
@@ -314,12 +316,12 @@ std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
   return text;
 }
 
-void make_table(const ModelFamily& family, const std::vector<Begun>& begun, const std::string& folder,
+void make_table(const MappedModel& family, const std::vector<Begun>& begun, const std::string& folder,
                 calibrate::Simulator& simulator) {
   std::printf("%s: preparing\n", family.name);
   std::fflush(stdout);
   const std::string file = fmt::format("{}/{}.csv", folder, family.name);
-  const Before before(file, family.levers.size());
+  const Before before(file, family.variables.size());
   const std::vector<MapRow> rows = rows_of(family, begun, before, simulator);
   std::vector<Recipe> recipes;
   for (const MapRow& row : rows)
@@ -332,12 +334,12 @@ void make_table(const ModelFamily& family, const std::vector<Begun>& begun, cons
 }
 
 /// The map of a family and, without layers, its base in grains of other sizes.
-void make_tables(const ModelFamily& family, const std::string& folder, calibrate::Simulator& simulator) {
+void make_tables(const MappedModel& family, const std::string& folder, calibrate::Simulator& simulator) {
   make_table(family, begin_map(family), folder, simulator);
-  if (family.layered) return;
+  if (family.layered()) return;
   const std::string name = fmt::format("{}-sizes", family.name);
-  ModelFamily sized = family;
-  sized.name = name.c_str(), sized.levers.clear();
+  MappedModel sized = family;
+  sized.name = name.c_str(), sized.variables.clear();
   make_table(sized, begin_sizes(family), folder, simulator);
 }
 
@@ -349,7 +351,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> names(argv + 3, argv + argc);
   const auto simulator = phy::calibrate::make_simulator(
       {static_cast<int>(std::thread::hardware_concurrency()), argv[2], nullptr, nullptr});
-  for (const phy::calibrate::ModelFamily& f : phy::calibrate::model_families())
+  for (const phy::maps::MappedModel& f : phy::maps::mapped_models())
     if (names.empty() || std::find(names.begin(), names.end(), f.name) != names.end())
       phy::make_tables(f, argv[1], *simulator);
 }

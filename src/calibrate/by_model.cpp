@@ -70,15 +70,15 @@ void run_stages(const StageTask& task, Found& found, Pictures& pictures) {
 }
 
 /// The estimate of what was sought of a parameter; it stands before that of the strength behind a ratio.
-const Estimate* estimate_of(const std::vector<Estimate>& list, const CalibratedParameter* p) {
+const Estimate* estimate_of(const std::vector<Estimate>& list, const Parameter* p) {
   const auto it = std::find_if(list.begin(), list.end(), [&](const Estimate& e) { return e.parameter == p; });
   return it == list.end() ? nullptr : &*it;
 }
 
 /// A strength follows from a chain of ratios, and what pins the open ones pins it: of an open estimate, the
 /// nearest ratio that is open itself.
-const CalibratedParameter* open_link(const std::vector<Estimate>& estimates, const Estimate& open) {
-  for (const CalibratedParameter* p = open.parameter; p == open.parameter || p->over != nullptr; p = p->over)
+const Parameter* open_link(const std::vector<Estimate>& estimates, const Estimate& open) {
+  for (const Parameter* p = open.parameter; p == open.parameter || p->over != nullptr; p = p->over)
     if (const Estimate* e = estimate_of(estimates, p); e != nullptr && !e->determined) return p;
   return open.parameter;
 }
@@ -202,8 +202,8 @@ void conclude(Calibration& c, std::vector<Estimate>& estimates, const Found& fou
 
 void check_model(const Evidence& evidence) {
   if (!evidence.fits_strength()) return;
-  for (const StrengthParameter* p : strength_parameters(evidence))
-    if (p->check != nullptr) p->check(evidence.rock);
+  for (const Parameter* p : strength_parameters(evidence))
+    if (p->strength->check != nullptr) p->strength->check(evidence.rock);
 }
 
 Attempt calibrate_by(const Evidence& model, const Calibration& choice, const CalibrationOptions& options,

@@ -10,8 +10,8 @@
 
 #include "base/check.hpp"
 #include "calibrate/by_model.hpp"
-#include "calibrate/model_choice.hpp"
-#include "calibrate/reach_check.hpp"
+#include "calibrate/model_trial.hpp"
+#include "maps/placing.hpp"
 #include "verdict/causes.hpp"
 #include "verdict/margin.hpp"
 
@@ -29,7 +29,7 @@ struct Model {
   std::optional<ParameterEstimate> share = {};  ///< of its planes that is jointed
   std::optional<Finding> advice = {};  ///< how a user asks for it; nothing: it would end out of reach
   bool misses_modulus = false;         ///< as expected: it would end out of reach
-  std::string name() const { return model_in_words(evidence.rock); }
+  std::string name() const { return maps::model_in_words(evidence.rock); }
 };
 
 /// The one that is taken, and others that may do as well, the nearest first.
@@ -54,12 +54,13 @@ bool is_possible(const Evidence& evidence) {
 /// Chosen here where nobody has said it.
 Models models_of(const Evidence& evidence, Calibration& result, const CalibrationOptions& options,
                  Simulator& simulator) {
-  const std::vector<Rock> candidates = candidates_of(evidence);
+  const std::vector<Rock> candidates = maps::candidates_of(evidence);
   Models models{{with_model(evidence, candidates.front())}};
   if (candidates.size() > 1 && !method_of(options.method).compares_models) {
-    result.notes.push_back({FindingKind::model_without_rivals, {}, {}, {model_in_words(candidates.front())}});
+    result.notes.push_back(
+        {FindingKind::model_without_rivals, {}, {}, {maps::model_in_words(candidates.front())}});
   } else if (candidates.size() > 1) {
-    const ModelChoice choice =
+    const maps::ModelChoice choice =
         choose_model(evidence, candidates, evidence.rock.model.packing.seed, simulator, options.listener.say);
     const Rock& rock = choice.rock();
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
@@ -67,7 +68,7 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     });
     for (Finding& f : choice.findings()) result.notes.push_back(std::move(f));
     models.taken = {with_model(evidence, rock), choice.share()};
-    for (const Rival* rival : choice.near_ones()) {
+    for (const maps::Rival* rival : choice.near_ones()) {
       Model other = {with_model(evidence, rival->rock), choice.share(*rival)};
       other.misses_modulus = rival->misses_modulus;
       if (!rival->misses_modulus) other.advice = choice.asked_for(*rival);
@@ -75,7 +76,7 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     }
     result.rival = models.advice(0);
   }
-  if (const auto share = assumed_share(evidence.rock, candidates)) result.notes.push_back(*share);
+  if (const auto share = maps::assumed_share(evidence.rock, candidates)) result.notes.push_back(*share);
   return models;
 }
 
@@ -148,7 +149,7 @@ class Trial {
     Calibration known = choice_;
     if (model.share) {
       known.parameters.push_back(*model.share);
-      known.notes.push_back(share_interval(*model.share));
+      known.notes.push_back(maps::share_interval(*model.share));
     }
     CalibrationOptions rest = options_;
     rest.max_tests = left();
@@ -201,7 +202,7 @@ class Trial {
       c.notes.push_back({FindingKind::model_kept, {}, {}, {found.by->name()}});
     }
     if (c.verdict.status != VerdictStatus::out_of_reach || !method_of(c.method).compares_models) return;
-    if (const auto nearest = against_maps(found.by->evidence, recipes, c.verification))
+    if (const auto nearest = maps::against_maps(found.by->evidence, recipes, c.verification))
       c.verdict.findings.insert(c.verdict.findings.begin(), *nearest);
   }
 };

@@ -5,10 +5,10 @@
 // options and the answers alone. A calibration that was interrupted therefore takes the same way again and
 // finds its answers in the store: it ends with the identical result.
 #pragma once
-#include "calibrate/evidence.hpp"
 #include "calibrate/options.hpp"
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::calibrate {
 

@@ -1,5 +1,6 @@
 // The whole calibration on a press of closed forms: what it tells the user beside the numbers.
 #include "calibrate/calibration.hpp"
+#include "calibrate/model_trial.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,11 +13,10 @@
 #include <tuple>
 
 #include "base/stats.hpp"
-#include "calibrate/model_choice.hpp"
 #include "calibrate/paper_press_fixture.hpp"
-#include "calibrate/reading_fixture.hpp"
 #include "calibrate/softening.hpp"
 #include "calibrate/twin.hpp"
+#include "records/reading_fixture.hpp"
 #include "records/recipe_schema.hpp"
 #include "theory/goodman.hpp"
 
@@ -459,9 +459,9 @@ TEST_F(ARival, LacksAnEThatScatterDoesNotExplain) {
     }
     Rock planes = one, directions = one;
     planes.layers = LayerModel::planes, directions.layers = LayerModel::directions;
-    const ModelChoice choice =
+    const maps::ModelChoice choice =
         choose_model(Evidence(one), {planes, directions}, 1, press, [](const std::string&) {});
-    EXPECT_FALSE(choice.rivals.front().has_E());
+    EXPECT_FALSE(choice.rivals.front().has_modulus());
     return choice.rivals.front().misses_modulus;
   };
   EXPECT_FALSE(lacks(0.08, 0.2));
@@ -473,7 +473,7 @@ TEST_F(ARival, IsExpectedTheSameBySeveralThreads) {
   planes.layers = LayerModel::planes, directions.layers = LayerModel::directions;
   const auto text = [&](int threads) {
     press.n_threads = threads;
-    const ModelChoice choice =
+    const maps::ModelChoice choice =
         choose_model(Evidence(rock), {planes, directions}, 1, press, [](const std::string&) {});
     return fmt::format("{} {}", choice.rivals[0].strength_error, choice.rivals[1].strength_error);
   };

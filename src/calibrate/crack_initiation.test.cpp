@@ -6,8 +6,8 @@
 
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press_fixture.hpp"
-#include "calibrate/reading_fixture.hpp"
 #include "calibrate/strength_tests.hpp"
+#include "records/reading_fixture.hpp"
 #include "study/experiment.hpp"
 
 namespace phy::calibrate {

@@ -124,7 +124,7 @@ std::pair<double, double> interval_of(const Comparison& c, double variance) {
   return {centre - half, centre + half};
 }
 
-Estimate estimate(const ElasticParameter& p, const LogBox& box, double x, double sd) {
+Estimate estimate(const Parameter& p, const LogBox& box, double x, double sd) {
   Estimate e = sought(p);
   e.value = std::exp(x);
   e.low = std::exp(std::max(std::min(box.low, x), x - z_95 * sd));

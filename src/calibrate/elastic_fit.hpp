@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/simulator.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::calibrate {
 

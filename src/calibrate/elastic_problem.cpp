@@ -5,6 +5,7 @@
 
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "maps/layered_table.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -19,7 +20,7 @@ double rate(const Sensitivity& s, Property property) { return property == Proper
 
 /// Eq. 1 by least squares; where it refuses, a guess of usual joints.
 theory::JointedRock macro_of(const Evidence& evidence) {
-  const theory::Eq1Fit eq1 = eq1_through(evidence);
+  const theory::Eq1Fit eq1 = maps::eq1_through(evidence);
   const double stiffest = evidence.scales.modulus;
   return eq1.ok() ? eq1.rock : theory::JointedRock{stiffest, 4.0 * stiffest, 2.0 * stiffest, 0.25};
 }
@@ -28,7 +29,7 @@ theory::JointedRock macro_of(const Evidence& evidence) {
 
 ElasticProblem::ElasticProblem(const Evidence& evidence, Simulator& simulator)
     : evidence_(evidence), simulator_(simulator), parameters_(elastic_parameters(evidence.rock.model)) {
-  for (const ElasticParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
+  for (const Parameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
   for (const Target& t : evidence.moduli) {
     const bool modulus = t.property == Property::E;
     rows_.push_back({t, modulus ? usual_factor : 1.0, modulus ? 0.0 : usual_addition});
@@ -40,14 +41,15 @@ void ElasticProblem::use_packings(std::vector<std::int64_t> seeds) { seeds_ = st
 ElasticProblem::Point ElasticProblem::first_guess(std::int64_t seed) {
   const Recipe& model = evidence_.rock.model;
   FirstSight sight;
-  sight.macro = macro_of(evidence_);
+  const theory::JointedRock macro = macro_of(evidence_);
+  sight.macro_E = macro.E, sight.K_n_delta = macro.K_n_delta, sight.K_s_delta = macro.K_s_delta;
   Recipe intact = single_at(model, 0.0, seed);
   intact.bedding.clear();
   sight.E_c = intact.matrix.E_c, sight.E = simulator_.elastic({intact}, Statics::two_sided).front().E_gauge;
   if (!model.bedding.empty()) sight.joint_length = usual_overlap * model.bedding.front().spacing;
   Point x;
   for (std::size_t j = 0; j < n_parameters(); ++j) {
-    auto* const guess = parameter(j).first_guess;
+    auto* const guess = parameter(j).modulus->first_guess;
     x.push_back(std::clamp(guess == nullptr ? box(j).usual : std::log(guess(sight)), box(j).low + 0.1,
                            box(j).high - 0.1));
   }
@@ -177,7 +179,7 @@ ElasticAnswer ElasticProblem::mean_of(const std::vector<ElasticResult>& results,
     a.values.push_back(reading_of(r, property));
     for (std::size_t j = 0; j < n_parameters(); ++j)
       for (const Sensitivity& s : r.sensitivities)
-        if (const auto& rates = parameter(j).rates;
+        if (const auto& rates = parameter(j).modulus->rates;
             std::find(rates.begin(), rates.end(), s.parameter) != rates.end())
           a.slope[j] += rate(s, property) * parameter(j).get(recipe);
   }

@@ -16,9 +16,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/simulator.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::calibrate {
 
@@ -44,7 +44,7 @@ class ElasticProblem {
   std::size_t n_targets() const { return rows_.size(); }
   /// Targets first, then the prior and the walls of the box.
   std::size_t n_residuals() const { return n_targets() + 2 * n_parameters(); }
-  const ElasticParameter& parameter(std::size_t j) const { return *parameters_[j]; }
+  const Parameter& parameter(std::size_t j) const { return *parameters_[j]; }
   const LogBox& box(std::size_t j) const { return boxes_[j]; }
 
   void use_packings(std::vector<std::int64_t> seeds);
@@ -85,7 +85,7 @@ class ElasticProblem {
   };
   const Evidence& evidence_;
   Simulator& simulator_;
-  std::vector<const ElasticParameter*> parameters_;
+  std::vector<const Parameter*> parameters_;
   std::vector<LogBox> boxes_;
   std::vector<Row> rows_;
   std::vector<std::int64_t> seeds_;

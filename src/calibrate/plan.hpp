@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
 #include "calibrate/options.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::calibrate {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "calibrate/parameters.hpp"
-#include "calibrate/prior_regression.hpp"
-#include "calibrate/reading_fixture.hpp"
 #include "calibrate/strength_tests.hpp"
+#include "maps/prior_regression.hpp"
+#include "records/reading_fixture.hpp"
 #include "rock/file_fixture.hpp"
 
 namespace phy::calibrate {
@@ -60,7 +60,7 @@ TEST(PointLoadTest, IsExpectedAsAShareOfTheBrazilianStrength) {
   const auto expected = [&](Property p) {
     Target t = tension(p, 6e6);
     t.theta = 30.0;
-    return prior_strength(evidence, rock.model, t).value(z);
+    return maps::prior_strength(evidence, rock.model, t).value(z);
   };
   EXPECT_NEAR(expected(Property::point_load) - expected(Property::brazilian), std::log(0.8), 1e-12);
 }
@@ -69,9 +69,9 @@ TEST(PointLoadTest, DeterminesTheRatioOfTheBondsBesideUcs) {
   Rock rock;
   rock.bedded = false;
   rock.readings = {reading(Property::ucs, 0.0, 100e6)};
-  EXPECT_FALSE(matrix_tau_c.rule(Evidence(rock)).held);
+  EXPECT_FALSE(matrix_tau_c.strength->rule(Evidence(rock)).held);
   rock.readings.push_back(reading(Property::point_load, 0.0, 6e6));
-  EXPECT_TRUE(matrix_tau_c.rule(Evidence(rock)).held);
+  EXPECT_TRUE(matrix_tau_c.strength->rule(Evidence(rock)).held);
 }
 
 }  // namespace

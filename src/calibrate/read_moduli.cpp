@@ -11,7 +11,7 @@ namespace phy::calibrate {
 namespace {
 
 /// Before the first test, in units of log E and of nu: any softening, alike over the box to within so much.
-const PriorMean nothing_known = {[](std::span<const double>) { return 0.0; }, 0.5, 0.1, 0.05};
+const maps::PriorMean nothing_known = {[](std::span<const double>) { return 0.0; }, 0.5, 0.1, 0.05};
 constexpr double least_nu = 0.5;  // share of nu that is left to the direct solution
 
 /// E_c and the stiffnesses of layers; k_s/k_n is left for nu.

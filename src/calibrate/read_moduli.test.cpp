@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::calibrate {
 namespace {

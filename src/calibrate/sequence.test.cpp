@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press_fixture.hpp"
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::calibrate {
 namespace {

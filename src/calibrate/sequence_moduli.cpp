@@ -10,6 +10,7 @@
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/sequence.hpp"
+#include "theory/eq1_fit.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -19,10 +20,10 @@ constexpr int most_bases = 4;
 constexpr double usual_slope = 1.5;   // K/k, for the first base only
 constexpr double nu_settled = 0.005;  // of the logarithm of k_s/k_n
 
-const ElasticParameter& parameter(const Recipe& model, double theory::JointedRock::*acts_on) {
-  const std::vector<const ElasticParameter*> list = elastic_parameters(model);
+const Parameter& parameter(const Recipe& model, MacroNumber acts_on) {
+  const std::vector<const Parameter*> list = elastic_parameters(model);
   const auto it =
-      std::find_if(list.begin(), list.end(), [&](const auto* p) { return p->acts_on == acts_on; });
+      std::find_if(list.begin(), list.end(), [&](const auto* p) { return p->modulus->acts_on == acts_on; });
   PHY_CHECK(it != list.end(), "the model has the parameter");
   return **it;
 }
@@ -96,11 +97,11 @@ class SequenceOfModuli {
   Simulator& simulator_;
   ElasticFit fit_;
 
-  double in_box(const ElasticParameter& p, double value) const {
+  double in_box(const Parameter& p, double value) const {
     const LogBox box = p.box(evidence_.scales);
     return std::clamp(value, std::exp(box.low), std::exp(box.high));
   }
-  void take(const ElasticParameter& p, double value, Support rests_on) {
+  void take(const Parameter& p, double value, Support rests_on) {
     const LogBox box = p.box(evidence_.scales);
     p.set(fit_.recipe, value);
     Estimate e = sought(p);
@@ -121,8 +122,8 @@ class SequenceOfModuli {
   }
 
   void fit_matrix(double E) {
-    const ElasticParameter& E_c = parameter(fit_.recipe, &theory::JointedRock::E);
-    const ElasticParameter& q = parameter(fit_.recipe, &theory::JointedRock::nu);
+    const Parameter& E_c = parameter(fit_.recipe, MacroNumber::E);
+    const Parameter& q = parameter(fit_.recipe, MacroNumber::nu);
     const double nu = nu_of(evidence_, E);
     E_c.set(fit_.recipe, E_c.get(fit_.recipe));  // contacts and bonds alike, as it is sought
     double ratio = q.get(fit_.recipe);
@@ -149,7 +150,7 @@ class SequenceOfModuli {
     return macro_of(evidence_, readings);
   }
 
-  LineFit line_about(const ElasticParameter& p, double Macro::*K, double base) {
+  LineFit line_about(const Parameter& p, double Macro::*K, double base) {
     std::vector<double> micro, macro;
     for (const double factor : k_factors) {
       Recipe recipe = fit_.recipe;
@@ -162,7 +163,7 @@ class SequenceOfModuli {
   double spacing() const { return fit_.recipe.bedding.front().spacing; }
 
   /// One parameter by Eq. 2, regenerated.
-  void fit_joint(const ElasticParameter& p, double Macro::*K, const char* name, double K_delta) {
+  void fit_joint(const Parameter& p, double Macro::*K, const char* name, double K_delta) {
     const double wanted = K_delta / spacing();
     double k = p.get(fit_.recipe);
     LineFit line;
@@ -182,8 +183,8 @@ class SequenceOfModuli {
   }
 
   void fit_joints(const Macro& rock) {
-    const ElasticParameter& k_n = parameter(fit_.recipe, &theory::JointedRock::K_n_delta);
-    const ElasticParameter& k_s = parameter(fit_.recipe, &theory::JointedRock::K_s_delta);
+    const Parameter& k_n = parameter(fit_.recipe, MacroNumber::K_n_delta);
+    const Parameter& k_s = parameter(fit_.recipe, MacroNumber::K_s_delta);
     const double per_slope = 1.0 / (usual_slope * spacing());
     k_n.set(fit_.recipe, in_box(k_n, rock.K_n_delta * per_slope));
     k_s.set(fit_.recipe, in_box(k_s, rock.K_s_delta * per_slope));

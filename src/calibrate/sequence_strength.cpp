@@ -19,7 +19,7 @@ constexpr std::size_t usual_tests = 8;  // of one strength, for the remaining ti
 
 /// A strength and the UCS that is to tell it, by its place among the strengths of the table.
 struct Step {
-  const StrengthParameter* parameter;
+  const Parameter* parameter;
   std::size_t target;
 };
 
@@ -164,7 +164,7 @@ class Sequence {
     fit_.recipe = with_moduli(fit_.recipe, refit_(fit_.softenings).recipe);
   }
 
-  void add_estimate(const StrengthParameter& p, Support rests_on) {
+  void add_estimate(const Parameter& p, Support rests_on) {
     const LogBox box = p.box(evidence_.scales);
     const double unit = p.over == nullptr ? 1.0 : p.over->number(fit_.recipe);
     Estimate e = number_of_recipe(p);
@@ -181,7 +181,7 @@ class Sequence {
       if (step.parameter == &matrix_sigma_c)
         add_estimate(matrix_tau_c, {Basis::ratio_of_recipe, {}, matrix_sigma_c.symbol});
     }
-    const auto is_step = [&](const StrengthParameter& p) {
+    const auto is_step = [&](const Parameter& p) {
       return std::any_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.parameter == &p; });
     };
     if (evidence_.rock.bedded && !is_step(joint_cohesion))

@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
 #include "calibrate/simulator.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::calibrate {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::calibrate {
 namespace {

@@ -9,9 +9,9 @@
 #include "base/check.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press_fixture.hpp"
-#include "calibrate/reading_fixture.hpp"
 #include "calibrate/search_plan.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::calibrate {
 namespace {

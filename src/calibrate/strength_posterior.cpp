@@ -7,7 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
-#include "calibrate/prior_regression.hpp"
+#include "maps/prior_regression.hpp"
 #include "verdict/margin.hpp"
 
 namespace phy::calibrate {
@@ -40,14 +40,15 @@ StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& rec
       middle_sigma_(std::log(evidence.scales.strength / usual_ratio)),
       read_(read) {
   for (const Target& t : targets_)
-    prior_.push_back(prior_strength(evidence, recipe, t)), variances_.push_back(variance(t));
-  for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
-  for (const StrengthParameter* p : strength_ratios(evidence))
-    least_.push_back(
-        p->place_of(p->least == nullptr ? p->range.low : std::max(p->range.low, p->least(recipe))));
+    prior_.push_back(maps::prior_strength(evidence, recipe, t)), variances_.push_back(variance(t));
+  for (const Parameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
+  for (const Parameter* p : strength_ratios(evidence)) {
+    const auto least = p->strength->least;
+    least_.push_back(p->normalised(least == nullptr ? p->range.low : std::max(p->range.low, least(recipe))));
+  }
 }
 
-std::size_t StrengthPosterior::index_of(const CalibratedParameter& p) const {
+std::size_t StrengthPosterior::index_of(const Parameter& p) const {
   const auto it = std::find(parameters_.begin(), parameters_.end(), &p);
   PHY_CHECK(it != parameters_.end(), "a parameter of this rock");
   return static_cast<std::size_t>(it - parameters_.begin());
@@ -59,13 +60,13 @@ Point StrengthPosterior::middle_of_box() const {
   return x;
 }
 
-double StrengthPosterior::log_value(const Point& x, const CalibratedParameter& p) const {
+double StrengthPosterior::log_value(const Point& x, const Parameter& p) const {
   if (&p == &matrix_sigma_c) return log_sigma_c(x);
   return box(p).low + 0.5 * (x[index_of(p)] + 1.0) * (box(p).high - box(p).low);
 }
 
 Recipe StrengthPosterior::recipe_at(Recipe recipe, const Point& x) const {
-  for (const StrengthParameter* p : parameters_) p->set(recipe, std::exp(log_value(x, *p)));
+  for (const Parameter* p : parameters_) p->set(recipe, std::exp(log_value(x, *p)));
   return recipe;
 }
 
@@ -78,7 +79,7 @@ Point StrengthPosterior::held(Point x) const {
 
 void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& recipe) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    PriorMean now = prior_strength(evidence, recipe, targets_[i]);
+    maps::PriorMean now = maps::prior_strength(evidence, recipe, targets_[i]);
     for (SurrogateRun& run : runs_[i]) run.y += now.value(run.z) - prior_[i].value(run.z);
     prior_[i] = std::move(now);
   }
@@ -87,7 +88,7 @@ void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& reci
 std::vector<Target> StrengthPosterior::without_runs() const {
   std::vector<Target> silent;
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (runs_[i].empty() && !is_read_before_ucs(targets_[i].property)) silent.push_back(targets_[i]);
+    if (runs_[i].empty() && !measured(targets_[i].property).read_before) silent.push_back(targets_[i]);
   return silent;
 }
 

@@ -44,8 +44,8 @@ class StrengthPosterior {
   const std::vector<Target>& targets() const { return targets_; }
   std::size_t n_targets() const { return targets_.size(); }
   /// sigma_c, then the ratios.
-  const std::vector<const StrengthParameter*>& parameters() const { return parameters_; }
-  const LogBox& box(const CalibratedParameter& p) const { return boxes_[index_of(p)]; }
+  const std::vector<const Parameter*>& parameters() const { return parameters_; }
+  const LogBox& box(const Parameter& p) const { return boxes_[index_of(p)]; }
   /// A point with the ratios of the middle of the box and a usual sigma_c.
   Point middle_of_box() const;
   static double log_sigma_c(const Point& x) { return x.front(); }
@@ -54,7 +54,7 @@ class StrengthPosterior {
   /// sigma_c in its box, because only strengths over that stress are alike.
   std::vector<double> inputs(const Point& x, std::size_t target) const;
   /// Logarithm of what is sought of a parameter at a point.
-  double log_value(const Point& x, const CalibratedParameter& p) const;
+  double log_value(const Point& x, const Parameter& p) const;
   Recipe recipe_at(Recipe recipe, const Point& x) const;
   /// The nearest point of the box.
   Point held(Point x) const;
@@ -97,10 +97,10 @@ class StrengthPosterior {
 
  private:
   std::vector<std::vector<SurrogateRun>> runs_;  // per target
-  std::vector<PriorMean> prior_;
+  std::vector<maps::PriorMean> prior_;
   std::vector<Surrogate> models_;
   std::vector<Target> targets_;
-  std::vector<const StrengthParameter*> parameters_;
+  std::vector<const Parameter*> parameters_;
   std::vector<LogBox> boxes_;  // of the parameters
   std::vector<double> least_;  // places of the ratios: -1, or what the recipe asks of them
   double middle_sigma_ = 0.0;  // logarithm
@@ -124,7 +124,7 @@ class StrengthPosterior {
 
   /// log of that mean over sigma_c.
   Surrogate::Value response(const Point& x, std::size_t target) const;
-  std::size_t index_of(const CalibratedParameter& p) const;
+  std::size_t index_of(const Parameter& p) const;
   bool inside(const Point& x) const;
   std::vector<Point> spread_points(int n) const;
   double best_sigma(const Point& x, std::size_t left_out) const;

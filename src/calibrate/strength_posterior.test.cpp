@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "base/rng.hpp"
-#include "calibrate/prior_regression.hpp"
-#include "calibrate/reading_fixture.hpp"
+#include "maps/prior_regression.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -49,7 +49,7 @@ class Answered : public testing::Test {
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const Surrogate alone(runs_[k],
-                            prior_strength(evidence_, evidence_.rock.model, posterior_.targets()[k]));
+                            maps::prior_strength(evidence_, evidence_.rock.model, posterior_.targets()[k]));
       error[i] = misses[k].error;
       by_packings[i] = is_compressive(misses[k].property) ? std::sqrt(alone.packing_variance()) : 0.0;
     }

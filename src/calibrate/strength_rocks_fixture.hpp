@@ -6,8 +6,8 @@
 
 #include "base/rng.hpp"
 #include "calibrate/paper_press_fixture.hpp"
-#include "calibrate/reading_fixture.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::calibrate {
 

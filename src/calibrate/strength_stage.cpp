@@ -11,8 +11,8 @@
 
 #include "base/parallel.hpp"
 #include "base/rng.hpp"
+#include "calibrate/best_estimate.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/nearest.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/search_plan.hpp"
 #include "calibrate/strength_posterior.hpp"
@@ -103,7 +103,7 @@ Estimate with_interval(Estimate e, double value, const std::vector<double>& logs
 }
 
 std::vector<double> logs_of(const StrengthPosterior& posterior, const std::vector<Point>& draws,
-                            const CalibratedParameter& p) {
+                            const Parameter& p) {
   std::vector<double> logs;
   for (const Point& x : draws) logs.push_back(posterior.log_value(x, p));
   return logs;
@@ -111,13 +111,13 @@ std::vector<double> logs_of(const StrengthPosterior& posterior, const std::vecto
 
 /// A strength that is sought as a ratio, by the sums of logarithms along its chain: sigma_n = sigma_c r c s.
 /// The sum of the boxes spans a factor of 10^4; what is known of a strength is judged by the box of sigma_c.
-Estimate strength_behind(const CalibratedParameter& ratio, const StrengthPosterior& posterior,
+Estimate strength_behind(const Parameter& ratio, const StrengthPosterior& posterior,
                          const std::vector<Point>& draws, const Recipe& recipe) {
-  std::vector<const CalibratedParameter*> chain;
-  for (const CalibratedParameter* p = &ratio; p != nullptr; p = p->over) chain.insert(chain.begin(), p);
+  std::vector<const Parameter*> chain;
+  for (const Parameter* p = &ratio; p != nullptr; p = p->over) chain.insert(chain.begin(), p);
   std::vector<double> sum(draws.size(), 0.0);
   LogBox box;
-  for (const CalibratedParameter* p : chain) {
+  for (const Parameter* p : chain) {
     const std::vector<double> logs = logs_of(posterior, draws, *p);
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += logs[k];
     box.low += posterior.box(*p).low, box.high += posterior.box(*p).high;
@@ -132,7 +132,7 @@ Estimate strength_behind(const CalibratedParameter& ratio, const StrengthPosteri
 std::vector<Estimate> estimates_of(const StrengthPosterior& posterior, const std::vector<Point>& draws,
                                    const Point& best) {
   std::vector<Estimate> all;
-  for (const StrengthParameter* p : posterior.parameters())
+  for (const Parameter* p : posterior.parameters())
     all.push_back(with_interval(sought(*p), std::exp(posterior.log_value(best, *p)),
                                 logs_of(posterior, draws, *p), posterior.box(*p)));
   return all;
@@ -239,7 +239,7 @@ class StrengthSearch {
   void learn(std::size_t n_batches) {
     posterior_.learn();
     draws_ = posterior_.draws_with_discrepancy(sampler_seed + static_cast<std::uint32_t>(n_batches));
-    estimate_ = nearest_point(posterior_, draws_);
+    estimate_ = best_estimate(posterior_, draws_);
     const std::vector<Estimate> known = estimates_of(posterior_, draws_, estimate_);
     task_.listener.estimates({known.begin(), known.end()});
   }
@@ -324,7 +324,7 @@ class StrengthSearch {
       const std::size_t p = k / targets_.size(), i = k % targets_.size();
       const Property property = targets_[i].property;
       const Point& point = design.points[p];
-      const bool own = !is_read_before_ucs(property);  // a test of its own
+      const bool own = !measured(property).read_before;  // a test of its own
       n_tests_ += own ? 1 : 0;
       const double strength = strength_of(results[k], property) / (on_coarse ? coarse_growth(property) : 1.0);
       if (!std::isfinite(strength)) {
@@ -341,7 +341,7 @@ class StrengthSearch {
   /// For where the new tests put the estimate among the previous draws.
   void refit_moduli() {
     posterior_.learn();
-    estimate_ = nearest_point(posterior_, draws_);
+    estimate_ = best_estimate(posterior_, draws_);
     fit_.softenings = read_.at(posterior_.places(estimate_));
     const RefittedModuli anew = task_.refit(fit_.softenings);
     fit_.recipe = with_moduli(fit_.recipe, anew.recipe);
@@ -374,7 +374,7 @@ class StrengthSearch {
     draws_ = final_draws(posterior_, sampler_seed + static_cast<std::uint32_t>(plan_.batches.size()));
     fit_.recipe = posterior_.recipe_at(fit_.recipe, estimate_);
     fit_.parameters = estimates_of(posterior_, draws_, estimate_);
-    for (const StrengthParameter* p : posterior_.parameters())
+    for (const Parameter* p : posterior_.parameters())
       if (p->over != nullptr) fit_.parameters.push_back(strength_behind(*p, posterior_, draws_, fit_.recipe));
     for (const Point& x : evenly_taken(draws_, ensemble_size))
       fit_.draws.push_back(posterior_.recipe_at(fit_.recipe, x));
@@ -394,7 +394,7 @@ class StrengthSearch {
       return [&](std::size_t i) {
         const std::vector<Point> others =
             posterior_.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
-        const Point without = nearest_point(posterior_, others, i);
+        const Point without = best_estimate(posterior_, others, i);
         fit_.left_out[i] = predicted(posterior_, others, posterior_.predict(without, i).mean, i, true);
       };
     });

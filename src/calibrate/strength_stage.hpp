@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "calibrate/effort.hpp"
-#include "calibrate/evidence.hpp"
 #include "calibrate/listener.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/softening.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::calibrate {
 

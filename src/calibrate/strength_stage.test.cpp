@@ -12,10 +12,10 @@
 #include "base/check.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press_fixture.hpp"
-#include "calibrate/reading_fixture.hpp"
 #include "calibrate/strength_posterior.hpp"
 #include "calibrate/strength_rocks_fixture.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::calibrate {
 namespace {

@@ -67,7 +67,7 @@ double Surrogate::response_variance(double squared_length) const {
                               square(prior_.curvature * squared_length) + square(remainder_size));
 }
 
-Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean)
+Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, maps::PriorMean prior_mean)
     : prior_(std::move(prior_mean)) {
   if (runs.empty()) return;
   const auto n = static_cast<Eigen::Index>(runs.size());

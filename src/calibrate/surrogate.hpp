@@ -19,6 +19,8 @@
 #include <span>
 #include <vector>
 
+#include "maps/prior_regression.hpp"
+
 namespace phy::calibrate {
 
 struct SurrogateRun {
@@ -28,20 +30,13 @@ struct SurrogateRun {
   double y = 0.0;  ///< logarithm of the answer
 };
 
-/// What is known of a response before its first run: its value at every point, and how far a rock may lie
-/// from that, in units of the logarithm, slope and curvature per half box.
-struct PriorMean {
-  std::function<double(std::span<const double>)> value = [](std::span<const double>) { return 0.0; };
-  double constant = 1.0, slope = 0.33, curvature = 0.08;
-};
-
 class Surrogate {
  public:
   struct Value {
     double mean = 0.0, variance = 0.0;
   };
   /// Without runs it knows what is predicted.
-  explicit Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean = {});
+  explicit Surrogate(const std::vector<SurrogateRun>& runs, maps::PriorMean prior_mean = {});
   Value at(std::span<const double> z) const;
   /// Of that variance, what rests on the packings of fine grains that there were: all runs of one share it.
   double packing_variance() const { return packing_variance_; }
@@ -49,7 +44,7 @@ class Surrogate {
   double scatter_variance() const { return scatter_variance_; }
 
  private:
-  PriorMean prior_;
+  maps::PriorMean prior_;
   Eigen::MatrixXd places_;  // of the runs, one per row
   Eigen::ArrayXd squares_;  // of their lengths
   double response_ = 1.0;   // factor on the amplitudes

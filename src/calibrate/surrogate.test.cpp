@@ -73,8 +73,8 @@ TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
 }
 
 TEST(Surrogate, LearnsTheDifferenceToThePriorMean) {
-  const PriorMean prior_mean{[](std::span<const double> z) { return curve(z) + 0.2 + 0.05 * z[1]; }, 0.15,
-                             0.06, 0.04};
+  const maps::PriorMean prior_mean{[](std::span<const double> z) { return curve(z) + 0.2 + 0.05 * z[1]; },
+                                   0.15, 0.06, 0.04};
   const Surrogate none({}, prior_mean), few(runs(6, 0.02, 0.0, 0), prior_mean);
   const Point z = point(7, 3);
   EXPECT_DOUBLE_EQ(none.at(z).mean, prior_mean.value(z));

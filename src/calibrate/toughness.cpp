@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
-#include "base/exact_math.hpp"
 #include "base/nan.hpp"
 #include "base/units.hpp"
 #include "lab/semi_circular_bend/semi_circular_bend.hpp"
@@ -16,13 +14,7 @@
 namespace phy::calibrate {
 namespace {
 
-/// K_Ic over Brazilian strength and the root of the grain size, 2.7: geometric mean over 22 models, without
-/// layers and with planes at 0, 45 and 90 degrees, 1,197 to 7,481 discs (docs/calibration.md). They lie 0.33
-/// about it (root mean square of the logarithm).
-constexpr double alpha = 4.6;
-constexpr double constant = 0.4, slope = 0.2, curvature = 0.06;  // what is believed of it
-constexpr double usual_splitting = 0.5;                          // BTS over sigma_c
-constexpr double fewest_in_radius = 20.0;                        // grains
+constexpr double fewest_in_radius = 20.0;  // grains
 
 lab::BendSpecimen half_disc(const Recipe& recipe, const Target& target) {
   Recipe one = recipe;
@@ -34,17 +26,6 @@ lab::BendSpecimen half_disc(const Recipe& recipe, const Target& target) {
 double whole_grains(double radius, double grain_size) { return std::floor(radius / grain_size + 1e-9); }
 
 }  // namespace
-
-PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting) {
-  const double root = 0.5 * std::log(pi * alpha * 0.5 * grain_size(recipe));
-  if (!splitting) {
-    PriorMean prior;
-    prior.value = [root](std::span<const double>) { return std::log(usual_splitting) + root; };
-    return prior;
-  }
-  return {[root, of = splitting->value](std::span<const double> z) { return of(z) + root; }, constant, slope,
-          curvature};
-}
 
 namespace {
 

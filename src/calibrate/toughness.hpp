@@ -6,21 +6,13 @@
 // 41:1329-1364). At strengths that the rest of a table fixes, K_Ic is a matter of the size of the grains: it
 // is fitted where somebody has stated that size, else compared with, and the size that would meet it is told.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
-#include "calibrate/surrogate.hpp"
 #include "records/calibration.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::calibrate {
-
-/// What is known of log(K_Ic/sigma_c) [of sqrt(m)] beforehand: the Brazilian strength that is expected at the
-/// same inclination, where a disc splits along its load as a half disc from its notch, times
-/// sqrt(pi alpha R); sigma_c in place of that strength where nothing was mapped. `splitting`: of
-/// log(BTS/sigma_c), nothing where nothing was mapped.
-PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting);
 
 /// K_Ic that was compared and not fitted, and the size of the grains that would meet it at the same strengths
 /// (verdict/grain_size.hpp).

@@ -8,9 +8,9 @@
 
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press_fixture.hpp"
-#include "calibrate/prior_regression.hpp"
-#include "calibrate/reading_fixture.hpp"
 #include "calibrate/strength_tests.hpp"
+#include "maps/prior_regression.hpp"
+#include "records/reading_fixture.hpp"
 #include "verdict/grain_size.hpp"
 
 namespace phy::calibrate {
@@ -36,7 +36,8 @@ TEST(Toughness, GrowsWithTheRootOfTheGrains) {
   Recipe fine, large;
   large.packing.radius_min *= 4.0, large.packing.radius_max *= 4.0;
   const std::vector<double> z(1, 0.0);
-  EXPECT_NEAR(prior_toughness(large, {}).value(z) - prior_toughness(fine, {}).value(z), std::log(2.0), 1e-12);
+  EXPECT_NEAR(maps::prior_toughness(large, {}).value(z) - maps::prior_toughness(fine, {}).value(z),
+              std::log(2.0), 1e-12);
 }
 
 TEST(Toughness, IsNoStressThatStrengthsAreMeasuredBy) {
@@ -60,9 +61,9 @@ TEST(Toughness, IsExpectedWhereTheBendTestOfThePressHasIt) {
   rock.bedded = false, rock.grains_stated = true, rock.model = r;
   rock.readings = {reading(Property::ucs, 0.0, 100e6), reading(Property::fracture_toughness, 0.0, 2.5e6)};
   const Evidence evidence(rock);
-  const PriorMean prior = prior_strength(evidence, r, evidence.strengths[1]);
+  const maps::PriorMean prior = maps::prior_strength(evidence, r, evidence.strengths[1]);
   std::vector<double> z;
-  for (const StrengthParameter* p : strength_ratios(evidence)) z.push_back(p->place_of(p->get(r)));
+  for (const Parameter* p : strength_ratios(evidence)) z.push_back(p->normalised(p->get(r)));
   const auto simulator = make_simulator({2, "", nullptr, nullptr});
   const std::vector<Comparison> measured =
       strength_response(test_settings(r, evidence.strengths, {60e9, 60e9}), {evidence.strengths[1]},

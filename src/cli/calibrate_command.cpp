@@ -27,7 +27,7 @@ std::string resume_command(jobs::CalibrationRequest args) {
 }
 
 /// What is known before anything runs.
-void print_table(const calibrate::Evidence& evidence, const std::string& file, int width) {
+void print_table(const Evidence& evidence, const std::string& file, int width) {
   const std::vector<Finding> doubts = survey::doubts_about(evidence);
   for (const std::string& doubt : report::sentences(doubts)) print_wrapped(width, 2, "{}\n", doubt);
   if (!doubts.empty()) print_out("\n");

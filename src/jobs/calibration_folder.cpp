@@ -47,7 +47,7 @@ calibrate::Effort effort_of(const CalibrationRequest& request) {
   return *effort;
 }
 
-std::string hash_of_table(const calibrate::Evidence& evidence) {
+std::string hash_of_table(const Evidence& evidence) {
   Hash hash;
   for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
@@ -58,7 +58,7 @@ std::string hash_of_table(const calibrate::Evidence& evidence) {
 }
 
 /// Of the recipe, and of what the rock file says of table and model.
-std::string hash_of_model(const calibrate::Evidence& evidence) {
+std::string hash_of_model(const Evidence& evidence) {
   const Rock& rock = evidence.rock;
   Hash hash;
   hash.add(rock.name);
@@ -155,7 +155,7 @@ void check_calibration_outputs(const std::string& folder) {
   io::remove_leftovers((fs::path(folder) / "ensemble").string());
 }
 
-BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
+BegunCalibration begin_calibration(const Evidence& evidence, const CalibrationRequest& request) {
   const KeptRequest kept{request, evidence.rock.name, hash_of_table(evidence), hash_of_model(evidence)};
   const fs::path folder(request.out);
   std::string store = (folder / "runs.sqlite").string();

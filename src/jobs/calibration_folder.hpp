@@ -27,7 +27,7 @@ struct BegunCalibration {
 
 /// Makes the folder ready. An earlier calibration is used only when asked for, and only the same: else
 /// InputError, as where another process works there.
-BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request);
+BegunCalibration begin_calibration(const Evidence& evidence, const CalibrationRequest& request);
 
 /// Throws where a file of a calibration cannot be put into the folder, which is made.
 void check_calibration_outputs(const std::string& folder);

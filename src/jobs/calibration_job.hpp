@@ -24,7 +24,7 @@ class CalibrationJob {
  public:
   /// Nothing is written before all checks have passed. Throws InputError, IoError.
   CalibrationJob(const Rock& rock, CalibrationRequest request);
-  const calibrate::Evidence& evidence() const { return evidence_; }
+  const Evidence& evidence() const { return evidence_; }
   /// Once. Leaves its files in the folder, but the page; none where it is interrupted.
   Calibration run(const CalibrationHooks& hooks);
   /// When the page is there, too. Throws what kept a specimen from being written.
@@ -32,7 +32,7 @@ class CalibrationJob {
 
  private:
   CalibrationRequest request_;
-  calibrate::Evidence evidence_;
+  Evidence evidence_;
   calibrate::CalibrationOptions options_;
   std::optional<BegunCalibration> begun_;  // none: nothing is kept
   SpecimenFolder specimens_;

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "base/text_table.hpp"
-#include "calibrate/forecast.hpp"
-#include "calibrate/model_choice.hpp"
-#include "calibrate/reach_check.hpp"
+#include "maps/candidates.hpp"
+#include "maps/forecast.hpp"
+#include "maps/placing.hpp"
 #include "report/calibration_tables.hpp"
 #include "report/words.hpp"
 #include "survey/closed_forms.hpp"
@@ -16,26 +16,23 @@
 namespace phy::jobs {
 
 RockCheck check(const Rock& read) {
-  RockCheck found{
-      calibrate::Evidence(calibrate::with_model(read, read.layers, read.matrix)), {}, {}, {}, {}, {}, {}, {}};
-  const calibrate::Evidence& evidence = found.evidence;
+  RockCheck found{Evidence(maps::with_model(read, read.layers, read.matrix)), {}, {}, {}, {}, {}, {}, {}};
+  const Evidence& evidence = found.evidence;
   found.doubts = survey::doubts_about(evidence);
   found.statements = survey::closed_forms(evidence);
-  const std::vector<calibrate::Estimate> expected = survey::identifiability(evidence);
+  const std::vector<Estimate> expected = survey::identifiability(evidence);
   found.parameters = {expected.begin(), expected.end()};
   found.limits = survey::limits_of_table(evidence);
   // models are compared and the verdict is forecast for the rock as its file leaves it open
-  const calibrate::Evidence as_read(read);
-  const std::vector<Rock> models = calibrate::candidates_of(as_read);
+  const Evidence as_read(read);
+  const std::vector<Rock> models = maps::candidates_of(as_read);
   if (models.size() > 1)
     found.models.push_back(fmt::format("parameters as of {}; calibrate chooses between {}",
-                                       calibrate::model_in_words(models.front()),
-                                       calibrate::models_in_words(models)));
-  if (const auto share = calibrate::assumed_share(read, models))
-    found.models.push_back(report::sentence(*share));
-  found.in_maps = calibrate::place_in_maps(evidence);
-  if (const auto forecast = calibrate::foretell(as_read))
-    found.forecast = calibrate::forecast_text(*forecast);
+                                       maps::model_in_words(models.front()), maps::models_in_words(models)));
+  if (const auto share = maps::assumed_share(read, models)) found.models.push_back(report::sentence(*share));
+  found.in_maps = report::sentences(maps::place_in_maps(evidence));
+  if (const auto forecast = maps::forecast_of(as_read))
+    found.forecast = fmt::format("{}", fmt::join(report::sentences(maps::findings_of(*forecast)), " "));
   return found;
 }
 

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
 #include "records/calibration.hpp"
+#include "records/evidence.hpp"
 #include "records/finding.hpp"
 
 namespace phy::jobs {
 
 struct RockCheck {
-  calibrate::Evidence evidence;
+  Evidence evidence;
   std::vector<Finding> doubts;                ///< what to look at before anything else
   std::vector<Finding> statements;            ///< what the table says by itself: closed forms
   std::vector<ParameterEstimate> parameters;  ///< of which intervals are known before the fit, and why

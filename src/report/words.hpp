@@ -55,6 +55,7 @@ struct Wording {
   bool of_cells = false;
 };
 const std::vector<Wording>& words_of_table();
+const std::vector<Wording>& words_of_maps();
 std::string advice_of_table(Advice advice, const Finding& of);
 const std::vector<Wording>& words_of_calibration();
 

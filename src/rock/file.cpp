@@ -110,7 +110,8 @@ const Fields& rock_fields() {
 /// bonds.
 bool is_ideal(const BeddingRecipe& b, const MatrixRecipe& m) {
   const bool bridged = b.rule == BeddingRule::crossing && !b.unjointed() &&
-                       m.model == MatrixModel::parallel_bond && !m.directional();
+                       find_model(true, LayerModel::planes_with_bridges, m.model) != nullptr &&
+                       !m.directional();
   return b.is_regular() && (b.persistence == 1.0 || bridged) && b.sigma_n_sd == 0.0 &&
          b.layer_thickness == 0.0 && (b.bridges || b.rule != BeddingRule::zone);
 }

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "maps/layered_table.hpp"
 #include "theory/jaeger_fit.hpp"
 
 namespace phy::survey {
 namespace {
 
-using calibrate::Evidence;
 using Findings = std::vector<Finding>;
 
 constexpr double least_R2 = 0.3;  // of a plane that shows
@@ -67,7 +67,7 @@ Finding plane_of(const theory::JaegerFit& fit, const std::vector<Target>& ucs) {
 Findings eq1_through_moduli(const Evidence& evidence) {
   const std::vector<Target> moduli = of_property(least_confined(evidence.moduli), Property::E);
   if (n_angles(moduli) < 3) return {};
-  const theory::Eq1Fit fit = eq1_through(evidence);
+  const theory::Eq1Fit fit = maps::eq1_through(evidence);
   if (!fit.ok()) return {{FindingKind::eq1_none, {}, {}, {fit.reason}}};
   Findings found = {stiffnesses(fit, evidence.rock.model)};
   const Target& softest = *ends_of(moduli).least;

@@ -6,13 +6,11 @@
 
 #include <cmath>
 
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::survey {
 namespace {
 
-using calibrate::Evidence;
-using calibrate::reading;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using Kind = FindingKind;

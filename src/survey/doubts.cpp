@@ -6,7 +6,7 @@
 
 namespace phy::survey {
 
-std::vector<Finding> doubts_about(const calibrate::Evidence& evidence) {
+std::vector<Finding> doubts_about(const Evidence& evidence) {
   std::vector<Finding> doubts;
   for (const auto& some : {angle_question(evidence.targets, evidence.rock.counts_from_load),
                            unusual_values(evidence.rock), conversion_in_part(evidence.rock),

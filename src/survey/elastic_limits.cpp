@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "base/nan.hpp"
-#include "calibrate/evidence.hpp"
+#include "maps/layered_table.hpp"
+#include "records/evidence.hpp"
 
 namespace phy::survey {
 namespace {
@@ -69,7 +70,7 @@ std::vector<CellMisfit> farthest(const std::vector<theory::LayeredReading>& read
 }  // namespace
 
 std::vector<Finding> elastic_limits(const std::vector<Target>& targets) {
-  const std::vector<theory::LayeredReading> readings = calibrate::layered_readings(targets);
+  const std::vector<theory::LayeredReading> readings = maps::layered_readings(targets);
   if (!has_modulus(readings)) return {};
   const double confining = of_property(targets, Property::E).front().confining;  // the least
   const theory::LayeredFit any = theory::fit_layered(readings, theory::LayeredBody::any);
@@ -91,7 +92,7 @@ std::vector<Finding> elastic_limits(const std::vector<Target>& targets) {
 }
 
 std::vector<Finding> confinement_limits(const std::vector<Target>& targets, ModulusReading reading) {
-  const auto change = calibrate::change_under_confinement(targets, reading);
+  const auto change = change_under_confinement(targets, reading);
   if (!change) return {};
   const std::vector<Target> E = of_property(targets, Property::E);  // by stress
   Finding f{

@@ -17,7 +17,7 @@ double radius_of(Recipe model, const Target& toughness) {
 
 }  // namespace
 
-std::vector<Finding> coarse_half_discs(const calibrate::Evidence& evidence) {
+std::vector<Finding> coarse_half_discs(const Evidence& evidence) {
   std::vector<Finding> found;
   const Recipe& model = evidence.rock.model;
   for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {

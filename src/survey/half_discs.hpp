@@ -3,12 +3,12 @@
 #pragma once
 #include <vector>
 
-#include "calibrate/evidence.hpp"
+#include "records/evidence.hpp"
 #include "records/finding.hpp"
 
 namespace phy::survey {
 
 /// Half discs of a table that few grains of the model go into, once for each size.
-std::vector<Finding> coarse_half_discs(const calibrate::Evidence& evidence);
+std::vector<Finding> coarse_half_discs(const Evidence& evidence);
 
 }  // namespace phy::survey

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 
 namespace phy::survey {
 namespace {
@@ -11,11 +11,11 @@ namespace {
 TEST(HalfDiscs, OfFewGrainsInTheRadiusAreNamedOnce) {
   Rock rock;
   for (const double theta : {0.0, 90.0})
-    rock.readings.push_back(calibrate::reading(Property::fracture_toughness, theta, 1e6));
+    rock.readings.push_back(reading(Property::fracture_toughness, theta, 1e6));
   rock.model.test.disc_diameter = 0.038;
   const auto coarse = [&](double least, double most) {
     rock.model.packing.radius_min = least, rock.model.packing.radius_max = most;
-    return coarse_half_discs(calibrate::Evidence(rock));
+    return coarse_half_discs(Evidence(rock));
   };
   EXPECT_TRUE(coarse(0.0002825, 0.0003825).empty());
   const std::vector<Finding> found = coarse(0.0005, 0.001);

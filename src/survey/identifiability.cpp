@@ -7,18 +7,14 @@
 
 #include "base/nan.hpp"
 #include "base/stats.hpp"
+#include "maps/layered_table.hpp"
 #include "survey/cells.hpp"
 #include "survey/elastic_limits.hpp"
 #include "survey/half_discs.hpp"
+#include "theory/goodman.hpp"
 
 namespace phy::survey {
 namespace {
-
-using calibrate::ElasticParameter;
-using calibrate::Estimate;
-using calibrate::Evidence;
-using calibrate::Rule;
-using calibrate::StrengthParameter;
 
 constexpr double no_joint = 1e9;  // stiffness of a rock without joints, in units of E
 
@@ -28,21 +24,31 @@ theory::JointedRock first_rock(const Evidence& evidence) {
   for (const Target& t : of_property(evidence.moduli, Property::nu)) nu = t.mean;
   const double stiffest = evidence.scales.modulus;
   if (!evidence.rock.bedded) return {stiffest, no_joint * stiffest, no_joint * stiffest, nu};
-  const theory::Eq1Fit fit = eq1_through(evidence);
+  const theory::Eq1Fit fit = maps::eq1_through(evidence);
   if (fit.ok()) return {fit.rock.E, fit.rock.K_n_delta, fit.rock.K_s_delta, nu};
   return {stiffest, 2.0 * stiffest, stiffest, nu};
 }
 
-/// By the number itself, or by its logarithm?
-bool by_number(const ElasticParameter& p) { return p.per_log > 0.0; }
+double theory::JointedRock::*number_of(MacroNumber number) {
+  switch (number) {
+    case MacroNumber::E: return &theory::JointedRock::E;
+    case MacroNumber::nu: return &theory::JointedRock::nu;
+    case MacroNumber::K_n_delta: return &theory::JointedRock::K_n_delta;
+    case MacroNumber::K_s_delta: break;
+  }
+  return &theory::JointedRock::K_s_delta;
+}
 
-double prior_sd(const ElasticParameter& p) {
-  return by_number(p) ? p.prior_sd : 0.5 * std::log(p.range.high / p.range.low);
+/// By the number itself, or by its logarithm?
+bool by_number(const Parameter& p) { return p.modulus->per_log > 0.0; }
+
+double prior_sd(const Parameter& p) {
+  return by_number(p) ? p.modulus->prior_sd : 0.5 * std::log(p.range.high / p.range.low);
 }
 
 /// E or nu (E by its logarithm) of a rock of which one number has moved by a small step.
-double moved(theory::JointedRock rock, const ElasticParameter& p, double step, const Target& t) {
-  double& number = rock.*p.acts_on;
+double moved(theory::JointedRock rock, const Parameter& p, double step, const Target& t) {
+  double& number = rock.*number_of(p.modulus->acts_on);
   number = by_number(p) ? number + step : std::exp(std::log(number) + step);
   return t.property == Property::E ? std::log(theory::goodman_E(rock, t.theta))
                                    : theory::goodman_nu(rock, t.theta);
@@ -50,11 +56,11 @@ double moved(theory::JointedRock rock, const ElasticParameter& p, double step, c
 
 /// Standard deviations that the table can give, of what the parameters act on; without E that of the prior
 /// alone.
-std::vector<double> expected_sd(const Evidence& evidence, const std::vector<const ElasticParameter*>& list) {
+std::vector<double> expected_sd(const Evidence& evidence, const std::vector<const Parameter*>& list) {
   constexpr double h = 1e-4;
   const auto n = static_cast<Eigen::Index>(list.size());
   std::vector<double> sd;
-  for (const ElasticParameter* p : list) sd.push_back(prior_sd(*p));
+  for (const Parameter* p : list) sd.push_back(prior_sd(*p));
   if (!evidence.has(Property::E)) return sd;
   Eigen::MatrixXd information =
       Eigen::Map<const Eigen::ArrayXd>(sd.data(), n).square().inverse().matrix().asDiagonal();
@@ -62,7 +68,7 @@ std::vector<double> expected_sd(const Evidence& evidence, const std::vector<cons
   for (const Target& t : evidence.moduli) {
     Eigen::VectorXd slope(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const ElasticParameter& p = *list[static_cast<std::size_t>(i)];
+      const Parameter& p = *list[static_cast<std::size_t>(i)];
       slope[i] = (moved(rock, p, h, t) - moved(rock, p, -h, t)) / (2.0 * h);
     }
     const double se = t.property == Property::E ? t.normal_error() / t.mean : t.normal_error();
@@ -73,12 +79,12 @@ std::vector<double> expected_sd(const Evidence& evidence, const std::vector<cons
 }
 
 /// `sd`: of what it acts on.
-Estimate identified_modulus(const ElasticParameter& p, double sd, const Evidence& evidence) {
+Estimate identified_modulus(const Parameter& p, double sd, const Evidence& evidence) {
   Estimate e = sought(p);
   e.box_low = p.range.low, e.box_high = p.range.high;
-  const LabTest& test = evidence.rock.bedded ? p.bedded_test : p.intact_test;
+  const LabTest& test = evidence.rock.bedded ? p.modulus->bedded_test : p.modulus->intact_test;
   const bool fitted = evidence.has(Property::E);
-  const double in_log = by_number(p) ? sd / p.per_log : sd;
+  const double in_log = by_number(p) ? sd / p.modulus->per_log : sd;
   e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
   e.determined = fitted && 2.0 * z_95 * in_log < 0.5 * std::log(p.range.high / p.range.low);
   if (fitted)
@@ -89,11 +95,11 @@ Estimate identified_modulus(const ElasticParameter& p, double sd, const Evidence
 
 /// The rule in terms of what the table holds: without a strength in compression nothing is fitted, and where
 /// the tests of a rule are missing, those are all that the fit has.
-Estimate identified_strength(const StrengthParameter& p, const Evidence& evidence) {
+Estimate identified_strength(const Parameter& p, const Evidence& evidence) {
   Estimate e = sought(p);
   e.box_low = p.range.low, e.box_high = p.range.high;
   e.low = e.high = std::nan("");
-  const Rule rule = p.rule(evidence);
+  const Rule rule = p.strength->rule(evidence);
   const bool fitted = evidence.fits_strength();
   e.determined = fitted && rule.held && !rule.shared;
   if (fitted) {
@@ -137,11 +143,11 @@ void append(std::vector<Finding>& found, const std::vector<Finding>& more) {
 
 std::vector<Estimate> identifiability(const Evidence& evidence) {
   std::vector<Estimate> estimates;
-  const std::vector<const ElasticParameter*> elastic = calibrate::elastic_parameters(evidence.rock.model);
+  const std::vector<const Parameter*> elastic = elastic_parameters(evidence.rock.model);
   const std::vector<double> sd = expected_sd(evidence, elastic);
   for (std::size_t i = 0; i < elastic.size(); ++i)
     estimates.push_back(identified_modulus(*elastic[i], sd[i], evidence));
-  for (const StrengthParameter* p : strength_parameters(evidence))
+  for (const Parameter* p : strength_parameters(evidence))
     estimates.push_back(identified_strength(*p, evidence));
   return estimates;
 }

@@ -8,17 +8,17 @@
 #pragma once
 #include <vector>
 
-#include "calibrate/evidence.hpp"
-#include "calibrate/parameters.hpp"
+#include "records/evidence.hpp"
 #include "records/finding.hpp"
+#include "records/parameters.hpp"
 
 namespace phy::survey {
 
 /// One estimate per parameter, with intervals for the elastic ones (values NaN: it has none before the fit).
-std::vector<calibrate::Estimate> identifiability(const calibrate::Evidence& evidence);
+std::vector<Estimate> identifiability(const Evidence& evidence);
 
 /// What the table lacks or cannot have: scatter that is assumed, parts that nothing is fitted to, moduli that
 /// no model of this kind has.
-std::vector<Finding> limits_of_table(const calibrate::Evidence& evidence);
+std::vector<Finding> limits_of_table(const Evidence& evidence);
 
 }  // namespace phy::survey

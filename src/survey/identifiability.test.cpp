@@ -7,14 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 #include "theory/goodman.hpp"
 
 namespace phy::survey {
 namespace {
 
-using calibrate::Evidence;
-using calibrate::reading;
 using testing::Contains;
 using testing::Each;
 using testing::Field;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "calibrate/reach.hpp"
+#include "maps/response_map.hpp"
 #include "theory/jaeger.hpp"
 
 namespace phy::survey {
@@ -121,14 +121,14 @@ TEST(Outliers, OneAmongNinetyOneAnglesIsFound) {
 // A weak plane has kinks: a line misses the cells there, a plane does not.
 TEST(Outliers, RocksOfTheMapsAreSeldomOutOfLine) {
   int tables = 0, named = 0;
-  using namespace calibrate;
-  for (const ModelFamily& family : model_families()) {
-    if (!family.layered) continue;
-    const ReachTable& map = reach_of(family);
+  using namespace maps;
+  for (const maps::MappedModel& family : maps::mapped_models()) {
+    if (!family.layered()) continue;
+    const maps::ResponseMap& map = maps::map_of(family);
     for (std::size_t row = 0; row < map.n_rows(); row += 4) {
-      if (!map.is_dense(row) || !map.is_sensible(row)) continue;
+      if (!map.is_dense(row) || !map.is_plausible(row)) continue;
       std::vector<double> ucs;
-      for (const double theta : mapped_angles)
+      for (const double theta : maps::mapped_angles)
         ucs.push_back(50.0 * map.at(row, column_at(family, "UCS/sigma_c", theta)));
       ++tables, named += outlying_cells(course(ucs)).empty() ? 0 : 1;
     }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 #include "twin_trial.hpp"
 
 namespace phy {
@@ -17,11 +17,11 @@ TEST(BrazilianTargets, FifteenTimesWeakerInTensionIsOutOfReachOfAnIsotropicRock)
       {static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), "", nullptr, nullptr});
   Rock rock;
   rock.bedded = false, rock.model = magnified_model(4.0), rock.model.bedding.clear();
-  rock.readings = {calibrate::reading(Property::E, 0.0, 40e9), calibrate::reading(Property::ucs, 0.0, 150e6),
-                   calibrate::reading(Property::brazilian, 0.0, 10e6)};
+  rock.readings = {reading(Property::E, 0.0, 40e9), reading(Property::ucs, 0.0, 150e6),
+                   reading(Property::brazilian, 0.0, 10e6)};
   calibrate::CalibrationOptions options;
   options.max_tests = 25;
-  const Calibration c = calibrate::calibrate(calibrate::Evidence(rock), options, *simulator);
+  const Calibration c = calibrate::calibrate(Evidence(rock), options, *simulator);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   const Finding* ratio = first_of(c.verdict.findings, FindingKind::ratio_missed);
   ASSERT_NE(ratio, nullptr);

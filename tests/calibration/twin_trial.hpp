@@ -14,9 +14,9 @@
 #include "base/rng.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/family.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/twin.hpp"
+#include "maps/mapped_model.hpp"
 
 namespace phy {
 
@@ -34,8 +34,8 @@ inline Recipe magnified_model(double factor) {
 }
 
 /// A family that was mapped.
-inline const calibrate::ModelFamily& family(const std::string& name) {
-  for (const calibrate::ModelFamily& f : calibrate::model_families())
+inline const maps::MappedModel& family(const std::string& name) {
+  for (const maps::MappedModel& f : maps::mapped_models())
     if (f.name == name) return f;
   throw std::runtime_error(name);
 }
@@ -119,7 +119,7 @@ inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<d
   how.listener.estimates = [&](const std::vector<ParameterEstimate>& known) {
     if (known.front().symbol == "sigma_c") t.widths.push_back(mean_log_width(known));
   };
-  t.found = calibrate::calibrate(calibrate::Evidence(rock_of(t, k, model, angles)), how, simulator);
+  t.found = calibrate::calibrate(Evidence(rock_of(t, k, model, angles)), how, simulator);
   return t;
 }
 
@@ -135,7 +135,7 @@ inline Trial run_elastic_trial(std::uint32_t k, const Recipe& model, const std::
   t.unseen = calibrate::elastic_response(t.truth, moduli, unseen_packings(), simulator);
   calibrate::CalibrationOptions how;
   how.elastic_only = true;
-  t.found = calibrate::calibrate(calibrate::Evidence(rock_of(t, k, model, angles)), how, simulator);
+  t.found = calibrate::calibrate(Evidence(rock_of(t, k, model, angles)), how, simulator);
   return t;
 }
 
@@ -158,8 +158,8 @@ inline double rmse_against(const std::vector<Comparison>& rows, const std::vecto
 /// sought.
 inline double true_value(const Recipe& r, const ParameterEstimate& e) {
   if (e.number != nullptr) return e.number(r);
-  for (const calibrate::StrengthParameter* p : calibrate::strength_parameters(r))
-    if (e.key == calibrate::sought(*p).key) return p->get(r);
+  for (const Parameter* p : strength_parameters(r))
+    if (e.key == sought(*p).key) return p->get(r);
   return std::nan("");
 }
 

@@ -52,7 +52,7 @@ Calibration calibrated(const Recipe& model, const std::vector<Comparison>& table
   Rock rock;
   rock.model = model, rock.name = "opening twin";
   rock.readings = calibrate::twin_readings(table, calibrate::TwinOptions{});
-  const Calibration c = calibrate::calibrate(calibrate::Evidence(rock), {}, simulator);
+  const Calibration c = calibrate::calibrate(Evidence(rock), {}, simulator);
   for (const Comparison& row : c.verification)
     if (is_strength(row.target.property))
       std::printf("%s(%2.0f): table %.2f MPa, unseen %.2f, %d of %d discs not from the centre\n",

@@ -39,11 +39,11 @@ using Numbers = std::vector<double>;
 using Objective = std::function<double(const Numbers&)>;
 
 /// Those that a table of UCS is asked for; sigma_c is the first.
-std::vector<const calibrate::StrengthParameter*> sought_by_ucs() {
+std::vector<const Parameter*> sought_by_ucs() {
   Recipe bedded;
   bedded.bedding.resize(1);
-  std::vector<const calibrate::StrengthParameter*> list = calibrate::strength_parameters(bedded);
-  std::erase_if(list, [](const calibrate::StrengthParameter* p) { return p->if_held; });
+  std::vector<const Parameter*> list = strength_parameters(bedded);
+  std::erase_if(list, [](const Parameter* p) { return p->strength->if_held; });
   return list;
 }
 
@@ -64,13 +64,13 @@ class Laboratory {
   Numbers usual() const {
     Numbers x;
     for (std::size_t i = 1; i < sought_.size(); ++i)
-      x.push_back(0.5 * (sought_[i]->place_of(sought_[i]->range.usual) + 1.0));
+      x.push_back(0.5 * (sought_[i]->normalised(sought_[i]->range.usual) + 1.0));
     return x;
   }
   Recipe recipe_at(const Numbers& x, double log_sigma) const {
     Recipe r = elastic_;
     for (std::size_t i = 0; i < sought_.size(); ++i) {
-      const calibrate::LogBox box = sought_[i]->box(scales_);
+      const LogBox box = sought_[i]->box(scales_);
       const double log_value =
           i == 0 ? std::clamp(log_sigma, box.low, box.high) : std::lerp(box.low, box.high, x[i - 1]);
       sought_[i]->set(r, std::exp(log_value));
@@ -115,8 +115,8 @@ class Laboratory {
   std::vector<Target> ucs_;
   std::int64_t n_packings_;
   calibrate::Simulator& simulator_;
-  calibrate::Scales scales_;
-  std::vector<const calibrate::StrengthParameter*> sought_ = sought_by_ucs();
+  Scales scales_;
+  std::vector<const Parameter*> sought_ = sought_by_ucs();
 };
 
 Numbers least(nlopt::algorithm algorithm, Numbers x, int evaluations, Objective value) {
@@ -197,7 +197,7 @@ Recipe by_quadratic(Laboratory laboratory, std::uint32_t k) {
 Recipe by_sequence(const Rock& rock, calibrate::Simulator& simulator) {
   calibrate::CalibrationOptions how;
   how.method = CalibrationMethod::sequence, how.max_tests = budget;
-  return calibrate::calibrate(calibrate::Evidence(rock), how, simulator).recipe;
+  return calibrate::calibrate(Evidence(rock), how, simulator).recipe;
 }
 
 double median(Numbers values) {
@@ -221,7 +221,7 @@ TEST(Comparison, ErrorOfUcsAtOneBudget) {
     const Rock rock = rock_of(t, k, model, angles);
     const std::vector<Target> ucs = of_property(targets_of(rock), Property::ucs);
     const Recipe settings = calibrate::test_settings(t.found.recipe, ucs, 1, *simulator);
-    calibrate::Evidence without_maps(rock);
+    Evidence without_maps(rock);
     without_maps.maps = false;
     calibrate::CalibrationOptions how;
     how.max_tests = budget;

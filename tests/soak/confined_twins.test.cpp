@@ -107,7 +107,7 @@ Told told_by_twins(ModulusReading E_is, int n_rocks, double magnification) {
     const auto simulator = calibrate::make_simulator({threads, store, nullptr, nullptr});
     const Recipe truth = trial_rock(k, model);
     const auto [rock, noise_free] = table_of(truth, model, k, *simulator, E_is);
-    const Calibration found = calibrate::calibrate(calibrate::Evidence(rock), {}, *simulator);
+    const Calibration found = calibrate::calibrate(Evidence(rock), {}, *simulator);
     const auto error = [&](Property p) { return rms_of(found, p, noise_free); };
     bool any = false;
     std::string text;

@@ -71,7 +71,7 @@ TEST(ElasticTensors, ModulusWithinTwoPercentOrAVerdictThatNamesTheLimit) {
     calibrate::CalibrationOptions options;
     options.elastic_only = true;
     const std::clock_t start = std::clock();
-    const Calibration c = calibrate::calibrate(calibrate::Evidence(rock), options, *simulator);
+    const Calibration c = calibrate::calibrate(Evidence(rock), options, *simulator);
     const double cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const double fitted = worst_E(c.fitted), unseen = worst_E(c.verification);
     std::printf("| %s | %.1f | %.1f | %.0f | %lld | %s |", rock.name.c_str(), 100.0 * fitted, 100.0 * unseen,

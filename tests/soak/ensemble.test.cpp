@@ -115,7 +115,7 @@ TEST(EnsembleCoverage, BandsHoldTestsThatWereNotFitted) {
     calibrate::CalibrationOptions how;
     how.max_tests = static_cast<std::int64_t>(setting("PHY_TWIN_TESTS", 72));
     const Calibration found =
-        calibrate::calibrate(calibrate::Evidence(laboratory(truth, model, k, *simulator)), how, *simulator);
+        calibrate::calibrate(Evidence(laboratory(truth, model, k, *simulator)), how, *simulator);
     std::printf("rock %2u %s, %.0f s\n", k, to_string(found.verdict.status), found.seconds);
     for (std::size_t q = 0; q < std::size(questions); ++q)
       ask(questions[q], truth, k, found, *simulator, tallies[q]);

@@ -112,7 +112,7 @@ Totals run(std::uint32_t first, std::uint32_t last) {
   for_rocks(first, last,
             [&](std::uint32_t k, const FreshTwin& twin, const std::vector<Comparison>& elsewhere,
                 calibrate::Simulator& simulator) {
-              calibrate::Evidence evidence(twin.rock);
+              Evidence evidence(twin.rock);
               evidence.maps = setting("PHY_FRESH_MAPS", 1.0) != 0.0;
               judge(k, twin, calibrate::calibrate(evidence, {}, simulator), elsewhere, totals);
             });

@@ -19,8 +19,8 @@
 #include <thread>
 
 #include "../calibration/twin_trial.hpp"
-#include "calibrate/reach.hpp"
 #include "calibrate/strength_tests.hpp"
+#include "maps/response_map.hpp"
 #include "report/words.hpp"
 #include "setting.hpp"
 
@@ -38,9 +38,9 @@ constexpr int n_table_packings = 10;
 const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
 
 /// Largest |log| of UCS/BTS over the goal at the mapped angles; infinite where one is not known.
-double distance(const calibrate::ReachTable& map, std::size_t row, double goal) {
+double distance(const maps::ResponseMap& map, std::size_t row, double goal) {
   double worst = 0.0;
-  for (const double theta : calibrate::mapped_disc_angles) {
+  for (const double theta : maps::mapped_disc_angles) {
     const auto at = [&](const char* stem) {
       return map.at(row, calibrate::column_at(map.family(), stem, theta));
     };
@@ -52,16 +52,16 @@ double distance(const calibrate::ReachTable& map, std::size_t row, double goal) 
 }
 
 Recipe nearest_specimen(const char* name, double goal) {
-  const calibrate::ModelFamily& of = family(name);
-  const calibrate::ReachTable& map = calibrate::reach_of(of);
+  const maps::MappedModel& of = family(name);
+  const maps::ResponseMap& map = maps::map_of(of);
   std::size_t best = 0;
   double least = INFINITY;
   for (std::size_t row = 0; row < map.n_rows(); ++row)
-    if (const double d = distance(map, row, goal); map.is_dense(row) && map.is_sensible(row) && d < least)
+    if (const double d = distance(map, row, goal); map.is_dense(row) && map.is_plausible(row) && d < least)
       best = row, least = d;
   Recipe r = of.base;
-  for (std::size_t i = 0; i < of.levers.size(); ++i)
-    of.levers[i].set(r, of.levers[i].at_place(map.places(best)[i]));
+  for (std::size_t i = 0; i < of.variables.size(); ++i)
+    of.variables[i].set(r, of.variables[i].from_normalised(map.places(best)[i]));
   std::printf("%s, row %zu: within a factor of %.2f of UCS/BTS = %g\n", name, best, std::exp(least), goal);
   return r;
 }
@@ -120,8 +120,7 @@ TEST(TensionTwins, AreMetInCompressionAndTension) {
     std::fflush(stdout);
     calibrate::CalibrationOptions how;
     how.effort = calibrate::efforts.at(static_cast<std::size_t>(setting("PHY_TWIN_EFFORT", 1)));
-    const Calibration found =
-        calibrate::calibrate(calibrate::Evidence(rock_of(truth, table, k)), how, *simulator);
+    const Calibration found = calibrate::calibrate(Evidence(rock_of(truth, table, k)), how, *simulator);
     std::printf("rock %u:", k);
     EXPECT_TRUE(holds(found, table, Property::ucs, 0.06)) << "rock " << k;
     EXPECT_TRUE(holds(found, table, Property::brazilian, 0.10)) << "rock " << k;

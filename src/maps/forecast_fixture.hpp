@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/reach.hpp"
-#include "calibrate/reading_fixture.hpp"
+#include "maps/response_map.hpp"
+#include "records/reading_fixture.hpp"
 
-namespace phy::calibrate {
+namespace phy::maps {
 
 /// Noise-free values at the mapped angles; 0: not measured.
 struct CleanTable {
@@ -46,12 +46,12 @@ inline std::vector<RockReading> noisy_readings(const CleanTable& table, std::uin
 }
 
 /// Rows of a map to make tables of: sensible, dense, with all answers; drawn by a seed.
-inline std::vector<std::size_t> drawn_rows(const ReachTable& table, std::size_t n, std::uint32_t seed) {
+inline std::vector<std::size_t> drawn_rows(const ResponseMap& table, std::size_t n, std::uint32_t seed) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
-    bool whole = table.is_dense(row) && table.is_sensible(row);
+    bool whole = table.is_dense(row) && table.is_plausible(row);
     for (const double theta : mapped_disc_angles)
-      whole = whole && std::isfinite(table.at(row, column_at(table.family(), "BTS/sigma_c", theta)));
+      whole = whole && std::isfinite(table.at(row, column_at(table.model(), "BTS/sigma_c", theta)));
     if (whole) rows.push_back(row);
   }
   std::mt19937 random(seed);
@@ -61,11 +61,11 @@ inline std::vector<std::size_t> drawn_rows(const ReachTable& table, std::size_t 
 }
 
 /// E = 40 GPa, sigma_c = 40 MPa.
-inline CleanTable table_of(const ReachTable& map, std::size_t row) {
+inline CleanTable table_of(const ResponseMap& map, std::size_t row) {
   CleanTable t;
-  t.of = map.family().name + std::string(" ") + std::to_string(row);
+  t.of = map.model().name + std::string(" ") + std::to_string(row);
   const auto at = [&](const char* stem, double theta) {
-    return map.at(row, column_at(map.family(), stem, theta));
+    return map.at(row, column_at(map.model(), stem, theta));
   };
   for (std::size_t i = 0; i < 7; ++i) {
     t.E[i] = 40.0 * at("E50/E_c", mapped_angles[i]), t.nu[i] = at("nu50", mapped_angles[i]);
@@ -115,4 +115,4 @@ inline const std::vector<CleanTable>& outside_tables() {
   return all;
 }
 
-}  // namespace phy::calibrate
+}  // namespace phy::maps

@@ -1,6 +1,6 @@
 // Every calibrated parameter: it is the number of the recipe that it says it is, what it sets it reads again,
 // and the ratios around it keep still.
-#include "calibrate/parameters.hpp"
+#include "records/parameters.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,10 @@
 #include <cmath>
 #include <set>
 
-#include "calibrate/prior_regression.hpp"
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy::calibrate {
+namespace phy {
 namespace {
 
 Recipe bedded() {
@@ -35,10 +34,10 @@ Recipe foliated_planes() {
   return r;
 }
 
-std::vector<const CalibratedParameter*> all(const Recipe& model = bedded()) {
-  std::vector<const CalibratedParameter*> list;
-  for (const ElasticParameter* p : elastic_parameters(model)) list.push_back(p);
-  for (const StrengthParameter* p : strength_parameters(model)) list.push_back(p);
+std::vector<const Parameter*> all(const Recipe& model = bedded()) {
+  std::vector<const Parameter*> list;
+  for (const Parameter* p : elastic_parameters(model)) list.push_back(p);
+  for (const Parameter* p : strength_parameters(model)) list.push_back(p);
   return list;
 }
 
@@ -50,10 +49,10 @@ const Field* field_of(std::string key) {
   return nullptr;
 }
 
-TEST(CalibratedParameters, AreTheNumbersOfTheRecipeUnderTheirKeys) {
+TEST(Parameters, AreTheNumbersOfTheRecipeUnderTheirKeys) {
   for (const Recipe& r : {bedded(), foliated(), foliated_planes()}) {
     std::set<std::string> keys;
-    for (const CalibratedParameter* p : all(r)) {
+    for (const Parameter* p : all(r)) {
       EXPECT_TRUE(keys.insert(p->key).second) << p->key;
       const Field* f = field_of(p->key);
       ASSERT_NE(f, nullptr) << p->key;
@@ -70,17 +69,17 @@ TEST(CalibratedParameters, AreTheNumbersOfTheRecipeUnderTheirKeys) {
   }
 }
 
-TEST(CalibratedParameters, ReadWhatTheySetAndMoveNothingElseThatIsSought) {
+TEST(Parameters, ReadWhatTheySetAndMoveNothingElseThatIsSought) {
   for (const Recipe& model : {bedded(), foliated(), foliated_planes()})
-    for (const CalibratedParameter* p : all(model)) {
+    for (const Parameter* p : all(model)) {
       Recipe r = model;
       const double wanted = 1.3 * p->get(r);
       std::vector<double> before;
-      for (const CalibratedParameter* other : all(model)) before.push_back(other->get(r));
+      for (const Parameter* other : all(model)) before.push_back(other->get(r));
       p->set(r, wanted);
       EXPECT_NEAR(p->get(r) / wanted, 1.0, 1e-14) << p->key;
       std::size_t i = 0;
-      for (const CalibratedParameter* other : all(model)) {
+      for (const Parameter* other : all(model)) {
         if (other != p) {
           EXPECT_NEAR(other->get(r) / before[i], 1.0, 1e-14) << p->key << " moves " << other->key;
         }
@@ -89,37 +88,35 @@ TEST(CalibratedParameters, ReadWhatTheySetAndMoveNothingElseThatIsSought) {
     }
 }
 
-TEST(CalibratedParameters, BondsKeepTheShareOfTheirScatterAndFollowTheContacts) {
+TEST(Parameters, BondsKeepTheShareOfTheirScatterAndFollowTheContacts) {
   const Recipe before = bedded();
   Recipe r = before;
   matrix_sigma_c.set(r, 2.0 * r.matrix.sigma_c), matrix_tau_c.set(r, 3.0);
   EXPECT_NEAR(r.matrix.sigma_c_sd / r.matrix.sigma_c, before.matrix.sigma_c_sd / before.matrix.sigma_c,
               1e-14);
   EXPECT_NEAR(r.matrix.tau_c_sd / r.matrix.tau_c, before.matrix.tau_c_sd / before.matrix.tau_c, 1e-14);
-  for (const ElasticParameter* p : elastic_parameters(Recipe())) p->set(r, 1.5 * p->get(r));
+  for (const Parameter* p : elastic_parameters(Recipe())) p->set(r, 1.5 * p->get(r));
   EXPECT_EQ(r.matrix.E_b, r.matrix.E_c);
   EXPECT_EQ(r.matrix.bond_ks_over_kn, r.matrix.ks_over_kn);
 }
 
-TEST(CalibratedParameters, FlatJointsHaveNeitherBondsOfTheirOwnNorAMomentContribution) {
+TEST(Parameters, FlatJointsHaveNeitherBondsOfTheirOwnNorAMomentContribution) {
   Recipe r = bedded();
   r.matrix.model = MatrixModel::flat_joint;
   const MatrixRecipe usual = r.matrix;
-  const std::vector<const CalibratedParameter*> list = all(r);
-  for (const CalibratedParameter* p : list) p->set(r, 1.5 * p->get(r));
+  const std::vector<const Parameter*> list = all(r);
+  for (const Parameter* p : list) p->set(r, 1.5 * p->get(r));
   EXPECT_EQ(r.matrix.E_b, usual.E_b);
   EXPECT_EQ(r.matrix.bond_ks_over_kn, usual.bond_ks_over_kn);
-  const auto has = [&](const CalibratedParameter& p) {
-    return std::find(list.begin(), list.end(), &p) != list.end();
-  };
+  const auto has = [&](const Parameter& p) { return std::find(list.begin(), list.end(), &p) != list.end(); };
   EXPECT_FALSE(has(matrix_moment));
   EXPECT_TRUE(has(matrix_phi));
 }
 
 // Other programs read these names in calibration.json.
-TEST(CalibratedParameters, RatiosAreNamedByTheirTwoNumbers) {
+TEST(Parameters, RatiosAreNamedByTheirTwoNumbers) {
   std::vector<std::string> names;
-  for (const CalibratedParameter* p : all()) names.push_back(sought(*p).key);
+  for (const Parameter* p : all()) names.push_back(sought(*p).key);
   EXPECT_EQ(names, (std::vector<std::string>{"matrix.E_c", "matrix.ks_over_kn", "bedding[0].k_n",
                                              "bedding[0].k_s", "matrix.sigma_c", "tau_c/sigma_c", "matrix.mu",
                                              "matrix.moment_contribution", "C_sj/tau_c", "sigma_n,sj/C_sj",
@@ -130,19 +127,19 @@ TEST(CalibratedParameters, RatiosAreNamedByTheirTwoNumbers) {
   EXPECT_EQ(number_of_recipe(joint_sigma_n).unit, "Pa");
 }
 
-TEST(CalibratedParameters, WithoutBeddingNoneIsOfTheJoints) {
+TEST(Parameters, WithoutBeddingNoneIsOfTheJoints) {
   Recipe r;
   r.bedding.clear();
-  for (const CalibratedParameter* p : all(r)) EXPECT_GT(p->get(r), 0.0);
+  for (const Parameter* p : all(r)) EXPECT_GT(p->get(r), 0.0);
   EXPECT_EQ(all(r).size(), 6U);
 }
 
-TEST(CalibratedParameters, OnlyATableThatTellsThemIsAskedForSome) {
+TEST(Parameters, OnlyATableThatTellsThemIsAskedForSome) {
   Rock rock;
   rock.model.bedding.resize(1);
   rock.readings = {reading(Property::ucs, 0.0, 100e6), reading(Property::ucs, 90.0, 100e6)};
-  const auto seeks = [&](const StrengthParameter& p) {
-    const std::vector<const StrengthParameter*> list = strength_parameters(Evidence(rock));
+  const auto seeks = [&](const Parameter& p) {
+    const std::vector<const Parameter*> list = strength_parameters(Evidence(rock));
     return std::find(list.begin(), list.end(), &p) != list.end();
   };
   EXPECT_FALSE(seeks(matrix_moment)) << "no tension in the table";
@@ -157,10 +154,10 @@ TEST(CalibratedParameters, OnlyATableThatTellsThemIsAskedForSome) {
   EXPECT_TRUE(seeks(tension_ratio) && seeks(cohesion_oblique) && seeks(joint_cohesion));
 }
 
-TEST(CalibratedParameters, BetweenPlanesTheStiffnessOfBondsHasNoDirections) {
+TEST(Parameters, BetweenPlanesTheStiffnessOfBondsHasNoDirections) {
   const auto stiffness = [](const Recipe& r) {
-    const std::vector<const CalibratedParameter*> list = all(r);
-    return std::any_of(list.begin(), list.end(), [](const CalibratedParameter* p) {
+    const std::vector<const Parameter*> list = all(r);
+    return std::any_of(list.begin(), list.end(), [](const Parameter* p) {
       return std::string_view(p->key) == "matrix.stiffness_ratio";
     });
   };
@@ -168,7 +165,7 @@ TEST(CalibratedParameters, BetweenPlanesTheStiffnessOfBondsHasNoDirections) {
   EXPECT_FALSE(stiffness(foliated_planes()) || stiffness(bedded()));
 }
 
-TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
+TEST(Parameters, BoxesAreMultiplesOfWhatTheTableHolds) {
   Rock rock;
   rock.model.bedding.resize(1), rock.model.bedding[0].spacing = 0.01;
   rock.readings = {reading(Property::E, 0.0, 20e9), reading(Property::E, 90.0, 40e9),
@@ -177,7 +174,7 @@ TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
   EXPECT_EQ(scales.modulus, 40e9);
   EXPECT_NEAR(scales.stiffness, 4e12, 1.0);
   EXPECT_EQ(scales.strength, 100e6);
-  for (const CalibratedParameter* p : all()) {
+  for (const Parameter* p : all()) {
     const LogBox box = p->box(scales);
     EXPECT_LT(box.low, box.usual) << p->key;
     EXPECT_LT(box.usual, box.high) << p->key;
@@ -187,32 +184,15 @@ TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
   EXPECT_NEAR(std::exp(matrix_mu.box(scales).high), 1.2, 1e-12);
 }
 
-TEST(CalibratedParameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
-  for (const StrengthParameter* p : strength_parameters(bedded())) {
+TEST(Parameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
+  for (const Parameter* p : strength_parameters(bedded())) {
     if (p == &matrix_sigma_c) continue;
-    EXPECT_DOUBLE_EQ(p->place_of(p->range.low), -1.0);
-    EXPECT_DOUBLE_EQ(p->place_of(p->range.high), 1.0);
-    EXPECT_NEAR(p->at_place(0.0), std::sqrt(p->range.low * p->range.high), 1e-14);
-    EXPECT_NEAR(p->at_place(p->place_of(p->range.usual)), p->range.usual, 1e-14);
-  }
-}
-
-// A parameter that no map varies would begin its search without any expectation.
-TEST(CalibratedParameters, AllRatiosAreLeversOfTheirFamily) {
-  Recipe crossing = bedded(), intact;
-  crossing.bedding.resize(1), crossing.bedding[0].rule = BeddingRule::crossing;
-  Recipe both = crossing, with_bridges = crossing;
-  with_bridges.bedding[0].persistence = 0.5;
-  both.matrix = foliated_planes().matrix;
-  for (const Recipe& model : {crossing, with_bridges, foliated(), both, intact}) {
-    const ModelFamily* family = family_of(model);
-    ASSERT_NE(family, nullptr);
-    for (const StrengthParameter* p : strength_parameters(model))
-      EXPECT_TRUE(p == &matrix_sigma_c || std::any_of(family->levers.begin(), family->levers.end(),
-                                                      [&](const Lever& l) { return l.parameter == p; }))
-          << family->name << ' ' << p->key;
+    EXPECT_DOUBLE_EQ(p->normalised(p->range.low), -1.0);
+    EXPECT_DOUBLE_EQ(p->normalised(p->range.high), 1.0);
+    EXPECT_NEAR(p->from_normalised(0.0), std::sqrt(p->range.low * p->range.high), 1e-14);
+    EXPECT_NEAR(p->from_normalised(p->normalised(p->range.usual)), p->range.usual, 1e-14);
   }
 }
 
 }  // namespace
-}  // namespace phy::calibrate
+}  // namespace phy

@@ -2,7 +2,7 @@
 #pragma once
 #include "records/calibration.hpp"
 
-namespace phy::calibrate {
+namespace phy {
 
 inline RockReading reading(Property property, double theta, double value) {
   RockReading r;
@@ -10,4 +10,4 @@ inline RockReading reading(Property property, double theta, double value) {
   return r;
 }
 
-}  // namespace phy::calibrate
+}  // namespace phy

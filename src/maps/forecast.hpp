@@ -1,7 +1,8 @@
-// The verdict foretold before any test: what the maps of models (reach.hpp) say that a search will find.
+// The forecast of a verdict before any test: what the maps of models (response_map.hpp) say that a search
+// will find.
 //
-// A family's answers are quadratics in the places of its levers, one per column of its map. The levers that a
-// calibration moves, and the scales of moduli and strengths, go downhill to where these quadratics lie
+// A model's answers are quadratics in the places of its variables, one per column of its map. The variables
+// that a calibration moves, and the scales of moduli and strengths, go downhill to where these quadratics lie
 // nearest to the whole table (least squares in half tolerances; a value that cannot be met counts by its
 // miss alone, not by its square), from the points of the map that lie nearest; the others stay as the recipe
 // has them. What is missed there is the forecast. It is no test: a quadratic misses single specimens that it
@@ -11,32 +12,32 @@
 // maps that were left out are said to be within reach (docs/calibration.md, "Before").
 #pragma once
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
-#include "calibrate/reach.hpp"
+#include "maps/response_map.hpp"
+#include "records/calibration.hpp"
+#include "records/finding.hpp"
 
-namespace phy::calibrate {
+namespace phy::maps {
 
 struct Forecast {
-  const ModelFamily* family = nullptr;  ///< of several that may model the rock the one that comes nearest
+  const MappedModel* model = nullptr;  ///< of several that may stand for the rock the one that comes nearest
   VerdictStatus status = VerdictStatus::calibrated;
-  std::vector<Comparison> rows;     ///< `mean` as foretold; those that the map has
-  std::vector<std::string> silent;  ///< of the table, but not of the map
-  double distance = 0.0;            ///< sum of squares of what is minimised
+  std::vector<Comparison> rows;  ///< `mean` as forecast; those that the map has
+  std::vector<Target> unmapped;  ///< of the table, but not of the map
+  double distance = 0.0;         ///< sum of squares of what is minimised
   bool beyond_map = false;  ///< E lies where nothing was mapped, though planes in an isotropic rock have it
   /// Is every property met within its tolerance, root mean square?
   bool meets() const;
-  /// Root mean square miss of a property, relative, of nu absolute; NaN: no row of it.
+  /// Root mean square miss of a property, relative or absolute as it counts; NaN: no row of it.
   double rms(Property property) const;
 };
 
 /// By the models that `layers` of the rock admits; nothing: none of them was mapped, or the table has neither
 /// E nor UCS. `fold`: a fifth of the points that the quadratics are not shown; negative: none.
-std::optional<Forecast> foretell(const Evidence& evidence, int fold = -1);
+std::optional<Forecast> forecast_of(const Evidence& evidence, int fold = -1);
 
-/// In words, with what it rests on.
-std::string forecast_text(const Forecast& forecast);
+/// The forecast and what it rests on.
+std::vector<Finding> findings_of(const Forecast& forecast);
 
-}  // namespace phy::calibrate
+}  // namespace phy::maps

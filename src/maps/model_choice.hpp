@@ -6,34 +6,12 @@
 #pragma once
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "calibrate/evidence.hpp"
-#include "calibrate/simulator.hpp"
+#include "maps/candidates.hpp"
 #include "records/calibration.hpp"
 
-namespace phy::calibrate {
-
-/// A rock with one model; nothing: the matrix that it has. Directions: of parallel bonds in which the moment
-/// counts little, since with moment contribution 1 bonds break at the rim and hardly feel the directions of
-/// their shear strength. Bridges: contact by contact, where a recipe does not state the length of patches.
-/// Another matrix is as stiff as the one before.
-Rock with_model(Rock rock, LayerModel layers, std::optional<MatrixModel> matrix);
-
-/// The rock with every model that its file and table leave to choose from, of planes with bridges one for
-/// each of some shares that may be jointed, unless a recipe states it; the first is taken where nothing can
-/// be compared. Layers take four strengths without confinement, UCS among them, so that one can be left out;
-/// flat joints, which have neither directions nor bridges, UCS and tension, whose ratio is what they differ
-/// in.
-std::vector<Rock> candidates_of(const Evidence& evidence);
-
-/// "joints on planes", "directions of the bonds", "joints on 0.6 of the planes", "flat joints".
-std::string model_in_words(const Rock& rock);
-/// All, the shares of the planes in one: "joints on planes; joints on 0.8, 0.65 of the planes".
-std::string models_in_words(const std::vector<Rock>& models);
-/// `share_assumed`: of the planes, that nobody has stated and no table shows; nothing: there is none.
-std::optional<Finding> assumed_share(const Rock& read, const std::vector<Rock>& candidates);
+namespace phy::maps {
 
 struct Rival {
   Rock rock;
@@ -42,12 +20,18 @@ struct Rival {
   double error = 0.0;           ///< of both together
   /// An E that is missed by more than 6 % and than scatter explains: out of reach, whatever its strengths.
   bool misses_modulus = false;
-  bool has_E() const;  ///< within 6 %, root mean square
+  bool has_modulus() const;  ///< within 6 %, root mean square
+  const RockModel& model() const { return model_of(rock); }
 };
+
+/// Is a rock with one model forecast to meet its table (forecast.hpp)?
+using ForecastMet = std::function<bool(const Rock&)>;
 
 struct ModelChoice {
   std::vector<Rival> rivals;  ///< in the order of the candidates
   std::size_t best = 0;       ///< of them
+  /// The next candidate, which may take the place of the best.
+  void add(Rival rival, const ForecastMet& meets);
   const Rock& rock() const { return rivals[best].rock; }
   /// The model that is taken, the errors of all, and the rules that kept others back.
   std::vector<Finding> findings() const;
@@ -65,8 +49,4 @@ struct ModelChoice {
 /// What an interval of a share rests on.
 Finding share_interval(const ParameterEstimate& share);
 
-/// Of the candidates, two or more.
-ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates, std::int64_t seed,
-                         Simulator& simulator, const std::function<void(const std::string&)>& say);
-
-}  // namespace phy::calibrate
+}  // namespace phy::maps

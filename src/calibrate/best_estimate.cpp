@@ -1,11 +1,9 @@
-#include "calibrate/nearest.hpp"
+#include "calibrate/best_estimate.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "base/least_squares.hpp"
+#include "maps/nearest.hpp"
 #include "verdict/margin.hpp"
 
 namespace phy::calibrate {
@@ -17,7 +15,6 @@ using Eigen::VectorXd;
 
 constexpr double draws_pull = 0.3, box_wall = 50.0;  // towards the draws; back into the box
 constexpr double slope_step = 1e-4;                  // of the derivatives
-constexpr std::size_t n_draw_starts = 6;
 
 struct Misfit {
   const StrengthPosterior& posterior;
@@ -36,7 +33,7 @@ struct Misfit {
       const StrengthPosterior::Miss& miss = misses[static_cast<std::size_t>(i)];
       const double unit = 0.5 * tolerance(miss.property);
       const bool counts = static_cast<std::size_t>(i) != left_out;
-      r[i] = counts ? softened(miss.error / unit) : 0.0;
+      r[i] = counts ? maps::softened(miss.error / unit) : 0.0;
       r[n + i] = counts ? std::sqrt(miss.variance) / unit : 0.0;
     }
     for (Eigen::Index j = 0; j < m; ++j) {
@@ -53,10 +50,15 @@ struct Misfit {
       J.col(j) = (ahead - behind) / (2.0 * slope_step), moved[j] = x[j];
     }
   }
-  double at(const Point& x) const {
+  double at(const VectorXd& x) const {
     VectorXd r(values());
-    operator()(Eigen::Map<const VectorXd>(x.data(), inputs()), r);
+    operator()(x, r);
     return r.squaredNorm();
+  }
+  /// The nearest point of the box.
+  VectorXd clamped(const VectorXd& x) const {
+    const Point inside = posterior.held(Point(x.begin(), x.end()));
+    return Eigen::Map<const VectorXd>(inside.data(), x.size());
   }
 };
 
@@ -72,30 +74,15 @@ Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& d
   return misfit;
 }
 
-Point downhill(const Misfit& misfit, const Point& from) {
-  const VectorXd x = least_squares(misfits_of(misfit),
-                                   Eigen::Map<const VectorXd>(from.data(), misfit.inputs()), {60, 1e-4, 1.0});
-  return misfit.posterior.held(Point(x.begin(), x.end()));
-}
-
 }  // namespace
 
-double softened(double x) {
-  constexpr double edge = 2.0;
-  return std::copysign(edge * std::sqrt(2.0 * (std::hypot(1.0, x / edge) - 1.0)), x);
-}
-
-Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws,
+Point best_estimate(const StrengthPosterior& posterior, const std::vector<Point>& draws,
                     std::size_t left_out) {
-  const Misfit misfit = misfit_of(posterior, draws, left_out);
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t k = 0; k < draws.size(); ++k) order.emplace_back(misfit.at(draws[k]), k);
-  std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), n_draw_starts));
-  Point best = draws[order.front().second];
-  for (const auto& [value, k] : order)
-    if (const Point x = downhill(misfit, draws[k]); misfit.at(x) < misfit.at(best)) best = x;
-  return best;
+  std::vector<VectorXd> starts;
+  for (const Point& x : draws)
+    starts.emplace_back(Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+  const VectorXd x = maps::nearest(misfit_of(posterior, draws, left_out), starts);
+  return {x.begin(), x.end()};
 }
 
 }  // namespace phy::calibrate

@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "records/rock.hpp"
-#include "theory/eq1_fit.hpp"
-#include "theory/layered_fit.hpp"
 
-namespace phy::calibrate {
+namespace phy {
 
-/// What a rock measures its parameters by: boxes of quantities are multiples of these (parameters.hpp).
+/// What a rock measures its parameters by: boxes of quantities are multiples of these
+/// (records/parameters.hpp).
 struct Scales {
   double modulus = 0.0;    ///< largest E of the table [Pa]; 0 without E
   double stiffness = 0.0;  ///< that over the spacing of the planes [Pa/m]; 0 without bedding
@@ -30,7 +29,7 @@ struct Evidence {
   /// with the strength that is expected there.
   std::vector<Target> read_only;
   Scales scales;
-  bool maps = true;  ///< what maps of models tell before the first test counts (prior_regression.hpp)
+  bool maps = true;  ///< what maps of models tell before the first test counts (maps/prior_regression.hpp)
 
   explicit Evidence(const Rock& of);
   /// With targets that are not the rock's own readings.
@@ -57,9 +56,6 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
 
-/// E and nu under the least stress, as theories of layered bodies take them, with the errors that count.
-std::vector<theory::LayeredReading> layered_readings(const std::vector<Target>& targets);
-
 /// Relative change of E from the least to the largest confining stress, where it is more than chance and than
 /// twice the tolerance of E. Bonds are as stiff under any stress, so that no model without layers has it
 /// before its peak.
@@ -68,7 +64,4 @@ std::optional<double> change_under_confinement(const std::vector<Target>& target
 /// UCS, or where a table has none between two inclinations strength under confinement.
 Property compression_of(const Evidence& evidence, double from = 0.0, double to = 90.0);
 
-/// Eq. 1 through E(theta) with everything free; it may refuse.
-theory::Eq1Fit eq1_through(const Evidence& evidence);
-
-}  // namespace phy::calibrate
+}  // namespace phy

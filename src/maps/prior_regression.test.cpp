@@ -1,6 +1,6 @@
 // The prior regression against what it must know whatever was learnt, and against the paper's specimen at
 // full size, which it has never seen.
-#include "calibrate/prior_regression.hpp"
+#include "maps/prior_regression.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <map>
 
-#include "calibrate/reading_fixture.hpp"
+#include "records/reading_fixture.hpp"
 
-namespace phy::calibrate {
+namespace phy::maps {
 namespace {
 
 Recipe paper_rock() {
@@ -19,8 +19,8 @@ Recipe paper_rock() {
   return r;
 }
 
-std::vector<const StrengthParameter*> ratios_of(const Recipe& r) {
-  std::vector<const StrengthParameter*> list = strength_parameters(r);
+std::vector<const Parameter*> ratios_of(const Recipe& r) {
+  std::vector<const Parameter*> list = strength_parameters(r);
   std::erase(list, &matrix_sigma_c);
   return list;
 }
@@ -28,7 +28,7 @@ std::vector<const StrengthParameter*> ratios_of(const Recipe& r) {
 /// Place of a recipe in the box of strength ratios.
 std::vector<double> place_of(const Recipe& r) {
   std::vector<double> z;
-  for (const StrengthParameter* p : ratios_of(r)) z.push_back(p->place_of(p->get(r)));
+  for (const Parameter* p : ratios_of(r)) z.push_back(p->normalised(p->get(r)));
   return z;
 }
 
@@ -97,7 +97,7 @@ double prior_confined(const Recipe& recipe, double theta, double sigma_3) {
   rock.readings = {ucs};
   const Evidence evidence(rock);
   std::vector<double> z;
-  for (const StrengthParameter* p : strength_ratios(evidence)) z.push_back(p->place_of(p->get(recipe)));
+  for (const Parameter* p : strength_ratios(evidence)) z.push_back(p->normalised(p->get(recipe)));
   const LogBox sigma = matrix_sigma_c.box(evidence.scales);
   z.push_back(2.0 * (std::log(recipe.matrix.sigma_c) - sigma.low) / (sigma.high - sigma.low) - 1.0);
   Target t{Property::confined, theta, 1.0, 1.0};
@@ -118,16 +118,16 @@ TEST(PriorRegression, StrengthUnderConfinementBeginsWithUcsAndGrowsWithFriction)
 
 // Rows of the map, as the program sees them: UCS and growth together.
 TEST(PriorRegression, MeetsTheMapUnderConfinement) {
-  for (const ModelFamily& family : model_families()) {
-    if (family.layered || family.base.matrix.model != MatrixModel::parallel_bond) continue;
-    const ReachTable& table = reach_of(family);
+  for (const MappedModel& family : mapped_models()) {
+    if (family.layered() || family.base.matrix.model != MatrixModel::parallel_bond) continue;
+    const ResponseMap& table = map_of(family);
     double squares = 0.0;
     int n = 0;
     for (std::size_t row = 0; row < table.n_rows(); row += 7) {
       const double sigma_3 = table.at(row, "sigma_3/sigma_c #2"), q = table.at(row, "q/sigma_c #2");
       if (!table.is_dense(row) || !std::isfinite(q)) continue;
       Recipe recipe = family.base;
-      for (const Lever& l : family.levers) l.set(recipe, table.at(row, l.name));
+      for (const MapVariable& l : family.variables) l.set(recipe, table.at(row, l.name));
       const double sigma_c = recipe.matrix.sigma_c;
       const double error = std::log(prior_confined(recipe, 0.0, sigma_3 * sigma_c) / (q + sigma_3) / sigma_c);
       squares += error * error, ++n;
@@ -139,15 +139,15 @@ TEST(PriorRegression, MeetsTheMapUnderConfinement) {
 
 // Points that took no part, of every layered family: what a calibration begins with.
 TEST(PriorRegression, PredictsPointsThatTookNoPart) {
-  for (const ModelFamily& family : model_families())
+  for (const MappedModel& family : mapped_models())
     for (const double theta : mapped_angles) {
-      if (!family.layered && theta > 0.0) continue;
+      if (!family.layered() && theta > 0.0) continue;
       const std::string column = column_at(family, "UCS/sigma_c", theta);
-      const double error = ReachRegression::left_out_error(reach_of(family), column);
+      const double error = MapRegression::left_out_error(map_of(family), column);
       std::printf("%s, %s: missed by %.3f\n", family.name, column.c_str(), error);
       EXPECT_LT(error, 0.35) << family.name << ' ' << column;
     }
 }
 
 }  // namespace
-}  // namespace phy::calibrate
+}  // namespace phy::maps

@@ -1,10 +1,12 @@
-#include "calibrate/evidence.hpp"
+#include "records/evidence.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace phy::calibrate {
+#include "base/stats.hpp"
+
+namespace phy {
 
 namespace {
 
@@ -71,20 +73,12 @@ std::int64_t Evidence::n_compressive() const {
 
 std::int64_t Evidence::n_tests() const {
   return std::count_if(strengths.begin(), strengths.end(),
-                       [](const Target& t) { return !is_read_before_ucs(t.property); });
+                       [](const Target& t) { return !measured(t.property).read_before; });
 }
 
 double counted_error(const Target& modulus) {
   const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;
   return std::max(least, modulus.normal_error());
-}
-
-std::vector<theory::LayeredReading> layered_readings(const std::vector<Target>& targets) {
-  std::vector<theory::LayeredReading> readings;
-  for (const Target& t : least_confined(targets))
-    if (!is_strength(t.property))
-      readings.push_back({t.theta, t.property == Property::E, t.mean, counted_error(t)});
-  return readings;
 }
 
 std::optional<double> change_under_confinement(const std::vector<Target>& targets, ModulusReading reading) {
@@ -102,13 +96,4 @@ Property compression_of(const Evidence& e, double from, double to) {
   return ucs ? Property::ucs : Property::confined;
 }
 
-theory::Eq1Fit eq1_through(const Evidence& evidence) {
-  std::vector<theory::ModulusReading> readings;
-  for (const Target& t : of_property(least_confined(evidence.moduli), Property::E))
-    readings.push_back({t.theta, t.mean});
-  theory::Eq1Options options;
-  options.reference = theory::Eq1Reference::free;
-  return theory::fit_eq1(readings, options);
-}
-
-}  // namespace phy::calibrate
+}  // namespace phy

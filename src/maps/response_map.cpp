@@ -1,4 +1,4 @@
-#include "calibrate/reach.hpp"
+#include "maps/response_map.hpp"
 
 #include <fmt/format.h>
 
@@ -13,22 +13,22 @@
 #include "base/embedded.hpp"
 #include "base/nan.hpp"
 
-namespace phy::calibrate {
+namespace phy::maps {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double held = 1.2;  // farthest a lever is believed, in half ranges
+constexpr double farthest = 1.2;  // a variable is believed, in half ranges
 constexpr int n_folds = 5;
 // Usual sizes of coefficients, in units of the logarithm, and the scatter of one run: how far each is
 // believed.
 constexpr double noise = 0.11, slope = 0.4, second = 0.1;
-// What makes a point sensible.
+// What makes a point plausible.
 constexpr double most_broken = 0.2, largest_nu = 0.6, least_initiation = 0.3;
 
-std::string_view text_of(const ModelFamily& family) {
-  return embedded(fmt::format("data/maps/{}.csv", family.name));
+std::string_view text_of(const MappedModel& model) {
+  return embedded(fmt::format("data/maps/{}.csv", model.name));
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {
@@ -41,13 +41,14 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
+/// An empty cell is a test without a usable strength.
 double number_in(std::string_view cell) {
   double v = nan;
   if (!cell.empty()) std::from_chars(cell.data(), cell.data() + cell.size(), v);
   return v;
 }
 
-double hold(double place) { return std::clamp(place, -held, held); }
+double clamped(double place) { return std::clamp(place, -farthest, farthest); }
 
 /// 1, the places, and the products of all pairs.
 VectorXd features_of(const std::vector<double>& places) {
@@ -55,9 +56,9 @@ VectorXd features_of(const std::vector<double>& places) {
   VectorXd f(static_cast<Eigen::Index>(1 + n + n * (n + 1) / 2));
   Eigen::Index next = 0;
   f[next++] = 1.0;
-  for (std::size_t i = 0; i < n; ++i) f[next++] = hold(places[i]);
+  for (std::size_t i = 0; i < n; ++i) f[next++] = clamped(places[i]);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) f[next++] = hold(places[i]) * hold(places[j]);
+    for (std::size_t j = 0; j <= i; ++j) f[next++] = clamped(places[i]) * clamped(places[j]);
   return f;
 }
 
@@ -67,20 +68,20 @@ std::size_t pair_of(std::size_t n, std::size_t i, std::size_t j) {
 }
 
 /// Points of one packing are left out together: those of one remainder.
-int fold_of(const ReachTable& table, std::size_t row) {
+int fold_of(const ResponseMap& table, std::size_t row) {
   return static_cast<int>(table.at(row, "point")) % n_folds;
 }
 
 /// The inclinations of a column that a table has.
-std::vector<std::string> columns_named(const ReachTable& table, const char* stem) {
+std::vector<std::string> columns_named(const ResponseMap& table, const char* stem) {
   std::vector<std::string> names;
-  for (const double theta : mapped_angles) names.push_back(column_at(table.family(), stem, theta));
+  for (const double theta : mapped_angles) names.push_back(column_at(table.model(), stem, theta));
   return names;
 }
 
 }  // namespace
 
-ReachTable::ReachTable(const ModelFamily& family, std::string_view csv) : family_(&family) {
+ResponseMap::ResponseMap(const MappedModel& model, std::string_view csv) : model_(&model) {
   while (!csv.empty()) {
     const std::size_t end = std::min(csv.find('\n'), csv.size());
     const std::vector<std::string_view> cells = cells_of(csv.substr(0, end));
@@ -89,27 +90,28 @@ ReachTable::ReachTable(const ModelFamily& family, std::string_view csv) : family
       columns_.assign(cells.begin(), cells.end());
       continue;
     }
-    PHY_CHECK(cells.size() == columns_.size(), fmt::format("{}.csv: as many cells as columns", family.name));
+    // the tables were taken in when the program was built: a short row is our own bug
+    PHY_CHECK(cells.size() == columns_.size(), fmt::format("{}.csv: as many cells as columns", model.name));
     std::vector<double> row;
     for (const std::string_view c : cells) row.push_back(number_in(c));
     rows_.push_back(row);
     std::vector<double> places;
-    for (const Lever& l : family.levers) places.push_back(l.place_of(at(rows_.size() - 1, l.name)));
+    for (const MapVariable& l : model.variables) places.push_back(l.normalised(at(rows_.size() - 1, l.name)));
     places_.push_back(places);
   }
 }
 
-double ReachTable::at(std::size_t row, const std::string& column) const {
+double ResponseMap::at(std::size_t row, const std::string& column) const {
   const auto it = std::find(columns_.begin(), columns_.end(), column);
-  PHY_CHECK(it != columns_.end(), fmt::format("{}.csv: a column {}", family_->name, column));
+  PHY_CHECK(it != columns_.end(), fmt::format("{}.csv: a column {}", model_->name, column));
   return rows_[row][static_cast<std::size_t>(it - columns_.begin())];
 }
 
-bool ReachTable::is_dense(std::size_t row) const {
-  return at(row, "n_grains") == static_cast<double>(family_->base.packing.n_grains);
+bool ResponseMap::is_dense(std::size_t row) const {
+  return at(row, "n_grains") == static_cast<double>(model_->base.packing.n_grains);
 }
 
-bool ReachTable::is_sensible(std::size_t row) const {
+bool ResponseMap::is_plausible(std::size_t row) const {
   const auto all = [&](const char* stem, const auto& good) {
     const std::vector<std::string> names = columns_named(*this, stem);
     return std::all_of(names.begin(), names.end(),
@@ -120,22 +122,22 @@ bool ReachTable::is_sensible(std::size_t row) const {
          all("sigma_ci/UCS", [](double v) { return v > least_initiation; });
 }
 
-const ReachTable& reach_of(const ModelFamily& family) {
-  static const std::map<std::string_view, ReachTable> tables = [] {
-    std::map<std::string_view, ReachTable> all;
-    for (const ModelFamily& f : model_families()) all.emplace(f.name, ReachTable(f, text_of(f)));
+const ResponseMap& map_of(const MappedModel& model) {
+  static const std::map<std::string_view, ResponseMap> tables = [] {
+    std::map<std::string_view, ResponseMap> all;
+    for (const MappedModel& f : mapped_models()) all.emplace(f.name, ResponseMap(f, text_of(f)));
     return all;
   }();
-  return tables.at(family.name);
+  return tables.at(model.name);
 }
 
-std::string column_at(const ModelFamily& family, const std::string& column, double theta) {
-  return family.layered ? fmt::format("{}({:g})", column, theta) : column;
+std::string column_at(const MappedModel& model, const std::string& column, double theta) {
+  return model.layered() ? fmt::format("{}({:g})", column, theta) : column;
 }
 
-const char* map_column(const ModelFamily& family, Property property, ModulusReading reading) {
+const char* map_column(const MappedModel& model, Property property, ModulusReading reading) {
   const MapColumns& of = measured(property).map;
-  if (family.layered && !of.layered) return nullptr;
+  if (model.layered() && !of.layered) return nullptr;
   const bool small_strain = !is_strength(property) && reading == ModulusReading::small_strain;
   return small_strain ? of.small_strain : of.as_read;
 }
@@ -145,29 +147,31 @@ double log_share(Property property) { return std::log(measured(property).share);
 Bracket bracket_of(Property property, double theta) {
   const std::span<const double> mapped =
       measured(property).of_discs ? std::span<const double>(mapped_disc_angles) : mapped_angles;
-  if (theta > 90.0) theta = 180.0 - theta;  // mirror images
+  if (theta > 90.0) theta = 180.0 - theta;  // the layers are mirror images, and so are their strengths
   std::size_t i = 0;
+  // at an angle that was mapped the share is 0 or 1, so that nothing of the other column counts
   while (i + 2 < mapped.size() && mapped[i + 1] < theta) ++i;
   return {mapped[i], mapped[i + 1], (theta - mapped[i]) / (mapped[i + 1] - mapped[i])};
 }
 
-ReachRegression::ReachRegression(const ReachRegression& low, const ReachRegression& high, double share) {
+MapRegression::MapRegression(const MapRegression& low, const MapRegression& high, double share) {
   for (std::size_t i = 0; i < low.coefficients_.size(); ++i)
     coefficients_.push_back(std::lerp(low.coefficients_[i], high.coefficients_[i], share));
 }
 
-ReachRegression::ReachRegression(const ReachTable& table, const std::string& column, int fold)
-    : ReachRegression(
+MapRegression::MapRegression(const ResponseMap& table, const std::string& column, int fold)
+    : MapRegression(
           table, [&](std::size_t row) { return std::log(table.at(row, column)); }, fold) {}
 
-ReachRegression::ReachRegression(const ReachTable& table,
-                                 const std::function<double(std::size_t)>& log_answer, int fold) {
+MapRegression::MapRegression(const ResponseMap& table, const std::function<double(std::size_t)>& log_answer,
+                             int fold) {
   MatrixXd A;
   VectorXd b;
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
     const double y = log_answer(row);
     if (!std::isfinite(y) || !table.is_dense(row) || (fold >= 0 && fold_of(table, row) == fold)) continue;
     const VectorXd f = features_of(table.places(row));
+    // ridge: coefficients of a usual size cost as much as the scatter of one run
     if (A.size() == 0) {
       VectorXd size = VectorXd::Constant(f.size(), second);
       size[0] = 1.0, size.segment(1, static_cast<Eigen::Index>(table.places(row).size())).setConstant(slope);
@@ -177,34 +181,36 @@ ReachRegression::ReachRegression(const ReachTable& table,
     A.selfadjointView<Eigen::Lower>().rankUpdate(f);
     b += f * y;
   }
-  PHY_CHECK(A.size() > 0, fmt::format("{}.csv: answers to learn from", table.family().name));
+  PHY_CHECK(A.size() > 0, fmt::format("{}.csv: answers to learn from", table.model().name));
   const VectorXd c = A.selfadjointView<Eigen::Lower>().ldlt().solve(b);
   coefficients_.assign(c.begin(), c.end());
 }
 
-double ReachRegression::at(std::span<const double> places) const {
+double MapRegression::at(std::span<const double> places) const {
   const std::size_t n = places.size();
   const double *slopes = coefficients_.data() + 1, *pairs = slopes + n;
   double sum = coefficients_.front();
   for (std::size_t i = 0; i < n; ++i) {
     double slope_here = slopes[i];
-    for (std::size_t j = 0; j <= i; ++j) slope_here += *pairs++ * hold(places[j]);
-    sum += slope_here * hold(places[i]);
+    // half of the pairs: (i, j) and (j, i) are one feature
+    for (std::size_t j = 0; j <= i; ++j) slope_here += *pairs++ * clamped(places[j]);
+    sum += slope_here * clamped(places[i]);
   }
   return sum;
 }
 
-ReachRegression ReachRegression::over(const std::vector<std::size_t>& open,
-                                      std::span<const double> places) const {
+MapRegression MapRegression::over(const std::vector<std::size_t>& open,
+                                  std::span<const double> places) const {
   const std::size_t n = places.size();
-  PHY_CHECK(coefficients_.size() == pair_of(n, n, 0), "a place for each lever");
+  PHY_CHECK(coefficients_.size() == pair_of(n, n, 0), "a place for each variable");
+  // pairs of an open and a closed variable become part of the open one's slope
   std::vector<double> closed(places.begin(), places.end());
   for (const std::size_t k : open) closed[k] = 0.0;
-  ReachRegression some = *this;
+  MapRegression some = *this;
   some.coefficients_ = {at(closed)};
   for (const std::size_t k : open) {
     double slope_there = coefficients_[1 + k];
-    for (std::size_t j = 0; j < n; ++j) slope_there += coefficients_[pair_of(n, k, j)] * hold(closed[j]);
+    for (std::size_t j = 0; j < n; ++j) slope_there += coefficients_[pair_of(n, k, j)] * clamped(closed[j]);
     some.coefficients_.push_back(slope_there);
   }
   for (std::size_t a = 0; a < open.size(); ++a)
@@ -213,11 +219,12 @@ ReachRegression ReachRegression::over(const std::vector<std::size_t>& open,
   return some;
 }
 
-double ReachRegression::left_out_error(const ReachTable& table, const std::string& column) {
+double MapRegression::left_out_error(const ResponseMap& table, const std::string& column) {
   double squares = 0.0;
   int n = 0;
+  // a fifth of the points at a time, each with all of its packings
   for (int fold = 0; fold < n_folds; ++fold) {
-    const ReachRegression others(table, column, fold);
+    const MapRegression others(table, column, fold);
     for (std::size_t row = 0; row < table.n_rows(); ++row) {
       const double y = std::log(table.at(row, column));
       if (!std::isfinite(y) || !table.is_dense(row) || fold_of(table, row) != fold) continue;
@@ -228,4 +235,4 @@ double ReachRegression::left_out_error(const ReachTable& table, const std::strin
   return std::sqrt(squares / n);
 }
 
-}  // namespace phy::calibrate
+}  // namespace phy::maps

@@ -1,0 +1,55 @@
+// The list of models of rock: what a recipe has says which it is, and what a rock file asks for finds it.
+#include "records/rock_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace phy {
+namespace {
+
+/// A recipe that has what the model says.
+Recipe recipe_of(const RockModel& m) {
+  Recipe r;
+  r.matrix.model = m.matrix;
+  if (m.joints) r.bedding.resize(1);
+  if (m.bridges) r.bedding[0].persistence = 0.5;
+  if (m.directions) r.matrix.tension_ratio = 1.5;
+  return r;
+}
+
+TEST(RockModels, AreToldApartByTheirRecipes) {
+  std::set<std::string> ids;
+  for (const RockModel& m : rock_models()) {
+    EXPECT_TRUE(ids.insert(m.id).second) << m.id;
+    EXPECT_EQ(model_of(recipe_of(m)), &m) << m.id;
+    EXPECT_EQ(find_model(m.layered, m.layers, m.matrix), &m) << m.id;
+    if (m.layered) {
+      EXPECT_EQ(layers_of(recipe_of(m)), m.layers) << m.id;
+    }
+    if (m.contains != nullptr) {
+      EXPECT_TRUE(m.contains->matrix == m.matrix && m.contains->layered == m.layered) << m.id;
+    }
+  }
+}
+
+TEST(RockModels, OfFlatJointsHaveWholePlanesAlone) {
+  EXPECT_FALSE(of_parallel_bonds(LayerModel::planes) || of_parallel_bonds(LayerModel::choose));
+  for (const LayerModel m :
+       {LayerModel::directions, LayerModel::planes_and_directions, LayerModel::planes_with_bridges})
+    EXPECT_TRUE(of_parallel_bonds(m)) << to_string(m);
+  const RockModel* bridged = find_model(true, LayerModel::planes_with_bridges, MatrixModel::parallel_bond);
+  ASSERT_NE(bridged, nullptr);
+  EXPECT_EQ(text_of(*bridged, 0.65), "joints on 0.65 of the planes");
+}
+
+TEST(RockModels, ARecipeThatNoneIsHasNoModel) {
+  Recipe r;
+  r.matrix.model = MatrixModel::flat_joint, r.matrix.tension_ratio = 1.5;
+  EXPECT_EQ(model_of(r), nullptr);
+  EXPECT_EQ(layers_of(r), LayerModel::directions);
+}
+
+}  // namespace
+}  // namespace phy

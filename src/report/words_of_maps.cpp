@@ -1,0 +1,95 @@
+// What the maps of models say of a table before anything runs, in words.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "report/words.hpp"
+
+namespace phy::report {
+namespace {
+
+using F = const Finding&;
+using Kind = FindingKind;
+
+/// "E 1 %, nu 0.01, UCS 3 %".
+std::string misses_by_property(F f) {
+  std::vector<std::string> items;
+  for (const NamedNumber& n : f.numbers)
+    if (const MeasuredProperty* p = find_property(n.name))
+      items.push_back(fmt::format("{} {}", p->name, miss_text(p->property, n.value)));
+  return list_text(items);
+}
+
+std::string forecast(F f, const char* end) {
+  return fmt::format("Forecast: a calibration will probably {}. Expected errors (rms) with {}: {}.", end,
+                     f.names.front(), misses_by_property(f));
+}
+
+std::string ratio(F f) {
+  const Cell& c = f.cells.front();
+  return fmt::format("UCS/{} at {} is {:.1f} in the table; mapped specimens have {:.1f} to {:.1f}{}.",
+                     to_string(c.property), angles_text({c.theta}), f.number("laboratory"), f.number("low"),
+                     f.number("high"), f.names.empty() ? "" : ", and reach it with " + list_text(f.names));
+}
+
+std::string regression_error(F f) {
+  const std::string low = fmt::format("{:.0f}", 100.0 * f.number("low")),
+                    high = fmt::format("{:.0f}", 100.0 * f.number("high"));
+  return fmt::format("Without the specimen itself, the maps predict its {} to within {}{} %.",
+                     f.names.front(), low == high ? "" : low + " to ", high);
+}
+
+const std::vector<Wording> forecasts = {
+    {Kind::forecast_calibrated, [](F f) { return forecast(f, "end calibrated, or with few exceptions"); }},
+    {Kind::forecast_excepted, [](F f) { return forecast(f, "end calibrated, with exceptions"); }},
+    {Kind::forecast_unresolved,
+     [](F f) { return forecast(f, "meet the table, with too few specimens to show it"); }},
+    {Kind::forecast_out_of_reach, [](F f) { return forecast(f, "end out of reach"); }},
+    {Kind::forecast_missed,
+     [](F f) {
+       const Property p = f.cells.front().property;
+       const double model = f.number("model"), laboratory = f.number("laboratory");
+       const double off = measured(p).absolute ? model - laboratory : model / laboratory - 1.0;
+       return fmt::format("expected {} too {}.", miss_text(p, std::fabs(off)), off < 0.0 ? "low" : "high");
+     },
+     true},
+    {Kind::forecast_beyond_map,
+     [](F) -> std::string {
+       return "E lies where nothing was mapped, though planes in an isotropic rock have such E.";
+     }},
+    {Kind::forecast_unmapped, [](F) -> std::string { return "no forecast, because it was not mapped."; },
+     true},
+    {Kind::forecast_error, regression_error},
+    {Kind::forecast_record,
+     [](F f) {
+       return fmt::format("No test has run. Of {:.0f} such forecasts of synthetic rock {:.0f} {} wrong.",
+                          f.number("of"), f.number("wrong"), f.number("wrong") == 1.0 ? "was" : "were");
+     }},
+    {Kind::forecast_untried,
+     [](F f) {
+       return fmt::format("No test has run. Forecasts with {} have not been compared with known ends.",
+                          f.names.front());
+     }},
+};
+
+}  // namespace
+
+const std::vector<Wording>& words_of_maps() {
+  static const std::vector<Wording> list = [] {
+    std::vector<Wording> all = {
+        {Kind::map_nearest,
+         [](F f) {
+           return fmt::format(
+               "Of {:.0f} mapped specimens with {} the nearest misses E and strengths by {} (rms, "
+               "scales free).",
+               f.number("specimens"), f.names.front(), percent_text(f.number("error")));
+         }},
+        {Kind::map_ratio, ratio},
+    };
+    all.insert(all.end(), forecasts.begin(), forecasts.end());
+    return all;
+  }();
+  return list;
+}
+
+}  // namespace phy::report
