@@ -56,6 +56,16 @@ struct Line {
   }
 };
 
+std::string number_cell(const Comparison& r, double value) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value * shown(r.target.property)) : std::string("-");
+}
+std::string value_cell(const Comparison* r) { return r != nullptr ? number_cell(*r, r->mean) : "-"; }
+std::string error_cell(const Comparison* r) {
+  if (r == nullptr || !r->answered()) return "-";
+  return r->target.property == Property::nu ? fmt::format("{:+.3f}", r->mean - r->target.mean)
+                                            : fmt::format("{:+.1f} %", 100.0 * r->error());
+}
+
 }  // namespace
 
 std::string target_table(const std::vector<Target>& targets, int terminal_width) {
@@ -251,40 +261,29 @@ std::string macro_table(const Calibration& c, int terminal_width) {
     return col;
   };
   using R = const Comparison&;
-  const auto number = [](R r, double v) {
-    return std::isfinite(v) ? fmt::format("{:.4g}", v * shown(r.target.property)) : std::string("-");
-  };
-  const auto error = [](const Comparison* r) {
-    if (r == nullptr || !std::isfinite(r->mean)) return std::string("-");
-    return r->target.property == Property::nu ? fmt::format("{:+.3f}", r->mean - r->target.mean)
-                                              : fmt::format("{:+.1f} %", 100.0 * r->error());
-  };
   Column label = column("at theta [deg]", [](R r) {
     const std::string unit = unit_head(r.target.property);
     return fmt::format("{:<3} {:>4g}{}{}", to_string(r.target.property), r.target.theta,
                        unit.empty() ? "" : " [" + unit + "]", particulars(r.target));
   });
   label.left = true;
-  const auto value = [&](const Comparison* r) {
-    return r != nullptr ? number(*r, r->mean) : std::string("-");
-  };
   const Columns laboratory = {
-      column("lab", [&](R r) { return number(r, r.target.mean); }),
+      column("lab", [&](R r) { return number_cell(r, r.target.mean); }),
       column("+- se",
              [](R r) { return fmt::format("{:.2g}", r.target.standard_error() * shown(r.target.property)); }),
       column("rock, 95 %",
-             [&](R r) { return fmt::format("{} ... {}", number(r, r.low), number(r, r.high)); })};
-  const Columns fit = {column("fit", [&](R r) { return value(&r); }),
-                       column("error", [&](R r) { return error(&r); })};
-  const Columns unseen = {column("unseen", [&](R r) { return value(row_of(c.verification, r.target)); }),
-                          column("error", [&](R r) { return error(row_of(c.verification, r.target)); })};
+             [&](R r) { return fmt::format("{} ... {}", number_cell(r, r.low), number_cell(r, r.high)); })};
+  const Columns fit = {column("fit", [&](R r) { return value_cell(&r); }),
+                       column("error", [&](R r) { return error_cell(&r); })};
+  const Columns unseen = {column("unseen", [&](R r) { return value_cell(row_of(c.verification, r.target)); }),
+                          column("error", [&](R r) { return error_cell(row_of(c.verification, r.target)); })};
   std::vector<Columns> groups = {laboratory, fit, unseen};
   std::string legend = "rock, 95 %: where the rock's own value lies, by laboratory and model together\n";
   if (c.E_is != ModulusReading::small_strain)
     legend += fmt::format("E: {}, of the laboratory and of the press alike\n", to_string(c.E_is));
   if (!c.tangent_from_test.empty()) {
     groups.push_back(
-        {column("at 50 % UCS", [&](R r) { return value(row_of(c.tangent_from_test, r.target)); })});
+        {column("at 50 % UCS", [&](R r) { return value_cell(row_of(c.tangent_from_test, r.target)); })});
     legend +=
         "at 50 % UCS: fit and unseen are at small strain; these are the unseen ones with what tests on "
         "unseen "

@@ -304,20 +304,25 @@ std::string table_text(const Calibration& c) {
                      fmt::join(angles, ", "), c.fitted.size(), n);
 }
 
+/// What makes the layers, where it is more than joints on planes.
+std::string layers_text(const Calibration& c) {
+  if (c.layers == LayerModel::directions && c.recipe.matrix.directional())
+    return " The layers are represented by bonds whose stiffness and strength depend on their direction.";
+  if (c.layers == LayerModel::planes_and_directions && c.recipe.matrix.directional())
+    return " The layers are represented by smooth joints between bonds whose strength depends on their "
+           "direction.";
+  if (c.layers == LayerModel::planes_with_bridges)
+    return " The layers are represented by smooth joints on a share of their planes, between rock bridges.";
+  return "";
+}
+
 std::string fit_text(const Calibration& c, const std::string& version) {
   const std::int64_t n_ucs = c.counts.compression();
   std::string text = fmt::format(
       "The micro-parameters were calibrated with phyllite {} against laboratory values of {}: {}; E was "
       "compared as {}.",
       version, c.rock, table_text(c), to_string(c.E_is));
-  if (c.layers == LayerModel::directions && c.recipe.matrix.directional())
-    text += " The layers are represented by bonds whose stiffness and strength depend on their direction.";
-  if (c.layers == LayerModel::planes_and_directions && c.recipe.matrix.directional())
-    text +=
-        " The layers are represented by smooth joints between bonds whose strength depends on their "
-        "direction.";
-  if (c.layers == LayerModel::planes_with_bridges)
-    text += " The layers are represented by smooth joints on a share of their planes, between rock bridges.";
+  text += layers_text(c);
   const bool posterior = c.method == CalibrationMethod::posterior;
   text += fmt::format(
       " Moduli were {} ({} direct elastic solutions in all)",

@@ -457,6 +457,77 @@ const std::vector<Wording> search_words = {
      [](F f) { return fmt::format("The sequence compares {} and does not use them.", cells_text(f.cells)); }},
 };
 
+double wanted(F of) { return of.number("wanted") * 1e3; }  // diameter of grains [mm]
+
+struct AdviceWording {
+  Advice advice;
+  const char* text;  ///< nullptr: it depends on the finding
+  std::string (*made)(F) = nullptr;
+};
+const std::vector<AdviceWording> advice_words = {
+    {Advice::see_findings, "see the findings"},
+    {Advice::resume, "the same command with --resume"},
+    {Advice::use_model, "run it (calibrated.toml)"},
+    {Advice::calibrate_strengths, "calibrate with strengths"},
+    {Advice::test_parameter, nullptr, [](F of) { return "determine " + of.names.front(); }},
+    {Advice::fill_gap, "test specimens in that gap"},
+    {Advice::more_specimens, nullptr, [](F of) { return "test more specimens of " + cells_text(of.cells); }},
+    {Advice::smaller_grains,
+     "take smaller grains in the rock's recipe (packing.radius_min, packing.radius_max)"},
+    {Advice::check_value, nullptr,
+     [](F of) { return "check " + cells_text(of.cells) + " in the table, or test more specimens there"; }},
+    {Advice::check_nu, "check how nu was measured (it counts in the plane of load and dip), or leave it out"},
+    {Advice::check_E_is, "check E_is, the part of the curve that E of the table is read from"},
+    {Advice::check_angles,
+     "check the angles of the table and E_is, the part of the curve that E is read from"},
+    {Advice::check_initiation,
+     "check how sigma_ci was read (by crack volumetric strain here), or leave it out"},
+    {Advice::one_confinement,
+     "set `confining` in the rock file to the stress that matters; E and nu under others are left "
+     "out"},
+    {Advice::without_sequence, nullptr,
+     [](F) {
+       return fmt::format("calibrate without {}: then all moduli are fitted together",
+                          option_set("method", "sequence"));
+     }},
+    {Advice::choose_layers,
+     "set layers = \"choose\" in a rock file whose recipe has no layers: other models are compared"},
+    {Advice::take_where_met, "take the model only at angles where it meets the table"},
+    {Advice::leave_out_ucs, "take UCS from the table: the models that were compared do not meet it"},
+    {Advice::leave_out_tension, "leave the tensile strengths out if compression is what matters"},
+    {Advice::leave_out_toughness, nullptr,
+     [](F of) {
+       return fmt::format("leave K_Ic out: it asks for grains of {:.2g} mm, which this specimen cannot hold",
+                          wanted(of));
+     }},
+    {Advice::other_grains, nullptr,
+     [](F of) {
+       return fmt::format("take grains of {:.2g} mm in place of {:.2g} mm", wanted(of),
+                          of.number("grain_size") * 1e3);
+     }},
+    {Advice::flat_joints, nullptr,
+     [](F) {
+       return "try " + option_set("matrix", "flat_joint") + ": flat joints break in tension at less of UCS";
+     }},
+    {Advice::slits, nullptr,
+     [](F) { return "try " + option_set("matrix", "flat_joint") + ": slits let cracks begin early"; }},
+    {Advice::other_layers, "try another model (layers)"},
+    {Advice::other_layers_or_matrix, nullptr,
+     [](F) { return fmt::format("try another model (layers, {})", option("matrix")); }},
+    {Advice::try_rival, nullptr,
+     [](F of) { return fmt::format("try {} in a new folder, with {}", of.names[0], options_of_rival(of)); }},
+    {Advice::longer_search, nullptr, [](F of) { return "start a new folder with " + options_of_search(of); }},
+    {Advice::search_again, nullptr,
+     [](F) { return fmt::format("search again ({}, packing.seed)", option("effort")); }},
+    {Advice::search_again_by, nullptr,
+     [](F of) {
+       return fmt::format("search again ({}, packing.seed) with {}", option("effort"), of.names.front());
+     }},
+    {Advice::try_model, nullptr,
+     [](F of) { return fmt::format("try {} (layers, {})", of.names.front(), option("matrix")); }},
+    {Advice::more_tests, nullptr, [](F) { return "take a larger " + option("max-tests"); }},
+};
+
 }  // namespace
 
 const std::vector<Wording>& words_of_calibration() {
@@ -470,69 +541,9 @@ const std::vector<Wording>& words_of_calibration() {
 }
 
 std::string text(Advice advice, F of) {
-  const auto wanted = [&] { return of.number("wanted") * 1e3; };
-  switch (advice) {
-    case Advice::see_findings: return "see the findings";
-    case Advice::resume: return "the same command with --resume";
-    case Advice::use_model: return "run it (calibrated.toml)";
-    case Advice::calibrate_strengths: return "calibrate with strengths";
-    case Advice::test_parameter: return "determine " + of.names.front();
-    case Advice::fill_gap: return "test specimens in that gap";
-    case Advice::more_specimens: return "test more specimens of " + cells_text(of.cells);
-    case Advice::smaller_grains:
-      return "take smaller grains in the rock's recipe (packing.radius_min, packing.radius_max)";
-    case Advice::check_value:
-      return "check " + cells_text(of.cells) + " in the table, or test more specimens there";
-    case Advice::check_nu:
-      return "check how nu was measured (it counts in the plane of load and dip), or leave it out";
-    case Advice::check_E_is: return "check E_is, the part of the curve that E of the table is read from";
-    case Advice::check_angles:
-      return "check the angles of the table and E_is, the part of the curve that E is read from";
-    case Advice::check_initiation:
-      return "check how sigma_ci was read (by crack volumetric strain here), or leave it out";
-    case Advice::one_confinement:
-      return "set `confining` in the rock file to the stress that matters; E and nu under others are left "
-             "out";
-    case Advice::without_sequence:
-      return fmt::format("calibrate without {}: then all moduli are fitted together",
-                         option_set("method", "sequence"));
-    case Advice::choose_layers:
-      return "set layers = \"choose\" in a rock file whose recipe has no layers: other models are compared";
-    case Advice::take_where_met: return "take the model only at angles where it meets the table";
-    case Advice::leave_out_ucs:
-      return "take UCS from the table: the models that were compared do not meet it";
-    case Advice::leave_out_tension: return "leave the tensile strengths out if compression is what matters";
-    case Advice::leave_out_toughness:
-      return fmt::format("leave K_Ic out: it asks for grains of {:.2g} mm, which this specimen cannot hold",
-                         wanted());
-    case Advice::other_grains:
-      return fmt::format("take grains of {:.2g} mm in place of {:.2g} mm", wanted(),
-                         of.number("grain_size") * 1e3);
-    case Advice::flat_joints:
-      return "try " + option_set("matrix", "flat_joint") + ": flat joints break in tension at less of UCS";
-    case Advice::slits: return "try " + option_set("matrix", "flat_joint") + ": slits let cracks begin early";
-    case Advice::other_layers: return "try another model (layers)";
-    case Advice::other_layers_or_matrix:
-      return fmt::format("try another model (layers, {})", option("matrix"));
-    case Advice::try_rival:
-      return fmt::format("try {} in a new folder, with {}", of.names[0], options_of_rival(of));
-    case Advice::longer_search: return "start a new folder with " + options_of_search(of);
-    case Advice::search_again: return fmt::format("search again ({}, packing.seed)", option("effort"));
-    case Advice::search_again_by:
-      return fmt::format("search again ({}, packing.seed) with {}", option("effort"), of.names.front());
-    case Advice::try_model: return fmt::format("try {} (layers, {})", of.names.front(), option("matrix"));
-    case Advice::more_tests: return "take a larger " + option("max-tests");
-    case Advice::check_unit:
-    case Advice::check_unit_and_column:
-    case Advice::check_pressures:
-    case Advice::check_envelope:
-    case Advice::check_lines:
-    case Advice::rename_angles:
-    case Advice::rows_of_their_own:
-    case Advice::finer_half_disc: return advice_of_table(advice, of);
-    case Advice::none: break;
-  }
-  return "";
+  for (const AdviceWording& w : advice_words)
+    if (w.advice == advice) return w.text != nullptr ? w.text : w.made(of);
+  return advice == Advice::none ? "" : advice_of_table(advice, of);
 }
 
 }  // namespace phy::report
