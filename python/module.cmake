@@ -11,6 +11,7 @@ if(PHY_PYTHON AND Python3_Development.Module_FOUND AND Python3_NumPy_FOUND AND P
   target_link_libraries(phyllite_python PRIVATE phyllite_core)
   target_compile_options(phyllite_python PRIVATE ${PHY_QUICK})
   set_target_properties(phyllite_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/python/phyllite)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/python/phyllite)  # else the first file would take its name
   foreach(file IN LISTS PHY_PYTHON_FILES)
     configure_file(${file} python/phyllite/ COPYONLY)
   endforeach()

@@ -13,13 +13,13 @@ import sys
 
 import cpp_text
 
-MUST_HOLD = False  # true: a violation fails `make lint`; false: it is a warning
+REPORTED = {"comments per line of code in bodies"}  # not every room has its share yet: a warning; all else fails
 MAX_LINES = 40
 MAX_PARAMETERS = 5
 MIN_COMMENTS = 0.12
 FINDS = {"calibrate", "maps", "survey", "verdict", "report"}  # rooms whose results are data
 # Tests of words, and of texts in the language of another program.
-PINS_WORDS = re.compile(r"((calibration_)?tables|words\w*|methods|pfc_\w+|yade\w*|figures|terminal_plot|gnuplot\w*|page)\.test\.cpp$")
+PINS_WORDS = re.compile(r"((calibration_)?(tables|files|summary)|words\w*|methods|pfc_\w+|yade\w*|figures|terminal_plot|gnuplot\w*|page)\.test\.cpp$")
 ASSERTS = re.compile(r"\b(?:HasSubstr|StartsWith|EndsWith|ContainsRegex|MatchesRegex|contains|find|rfind|starts_with|ends_with"
                      r"|StrEq|Eq|EXPECT_EQ|ASSERT_EQ|EXPECT_NE|npos)\b")
 SENTENCE = re.compile(r'"(?:\\.|[^"\\\n])*?\b[a-z]{2,},? [a-z]{2,}\b(?:\\.|[^"\\\n])*"')
@@ -110,7 +110,7 @@ def main():
     print("functions, units, words, comments: " +
           ("; ".join(f"{len(found)} {kind}" for kind, found in problems.items()) or "as they should be") +
           f"; {sum(comments.values()) / sum(code.values()):.3f} comments per line of code in bodies")
-    return 1 if problems and MUST_HOLD else 0
+    return 1 if set(problems) - REPORTED else 0
 
 
 def without_comments(found):

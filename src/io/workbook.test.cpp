@@ -9,6 +9,7 @@
 
 #include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
+#include "io/table.hpp"
 
 namespace phy::io {
 namespace {

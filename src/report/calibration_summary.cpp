@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text_table.hpp"
+#include "records/measured_property.hpp"
 #include "report/words.hpp"
 
 namespace phy::report {
@@ -109,7 +110,8 @@ std::vector<std::string> summary_lines(const Calibration& c) {
     if (std::none_of(c.fitted.begin(), c.fitted.begin() + static_cast<std::ptrdiff_t>(i),
                      [&](const Comparison& f) { return same_test(f.target, c.fitted[i].target); }))
       add_cells(lines, c, c.fitted[i].target);
-  for (const Property p : {Property::direct_tension, Property::brazilian}) add_ratios(lines, c, p);
+  for (const MeasuredProperty& p : measured_properties())
+    if (is_tensile(p.property)) add_ratios(lines, c, p.property);
   std::vector<Finding> others = c.verdict.findings;
   std::erase_if(others, [](const Finding& f) {
     return is_in(missed, f.kind) || is_in(unanswered, f.kind) || is_in(coarse, f.kind) ||

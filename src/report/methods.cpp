@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/units.hpp"
+#include "records/rock_model.hpp"
 #include "records/test_description.hpp"
 #include "report/baselines.hpp"
 #include "report/words.hpp"
@@ -306,14 +307,8 @@ std::string table_text(const Calibration& c) {
 
 /// What makes the layers, where it is more than joints on planes.
 std::string layers_text(const Calibration& c) {
-  if (c.layers == LayerModel::directions && c.recipe.matrix.directional())
-    return " The layers are represented by bonds whose stiffness and strength depend on their direction.";
-  if (c.layers == LayerModel::planes_and_directions && c.recipe.matrix.directional())
-    return " The layers are represented by smooth joints between bonds whose strength depends on their "
-           "direction.";
-  if (c.layers == LayerModel::planes_with_bridges)
-    return " The layers are represented by smooth joints on a share of their planes, between rock bridges.";
-  return "";
+  const RockModel* model = model_of(c.recipe);
+  return model != nullptr ? model->sentence : "";
 }
 
 std::string fit_text(const Calibration& c, const std::string& version) {

@@ -125,7 +125,8 @@ std::optional<Finding> ucs_ratio(const View& v) {
 }
 
 std::optional<Finding> tension_ratio(const View& v) {
-  for (const Property p : {Property::brazilian, Property::direct_tension})
+  // Brazilian strength first: of the tests that a table holds it is the most frequent one
+  for (const Property p : {Property::brazilian, Property::direct_tension, Property::point_load})
     if (const auto cause = ratio_to(p, v)) return cause;
   return {};
 }
