@@ -41,9 +41,7 @@ const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
 double distance(const maps::ResponseMap& map, std::size_t row, double goal) {
   double worst = 0.0;
   for (const double theta : maps::mapped_disc_angles) {
-    const auto at = [&](const char* stem) {
-      return map.at(row, calibrate::column_at(map.family(), stem, theta));
-    };
+    const auto at = [&](const char* stem) { return map.at(row, maps::column_at(map.model(), stem, theta)); };
     const double off = std::fabs(std::log(at("UCS/sigma_c") / at("BTS/sigma_c") / goal));
     if (!std::isfinite(off)) return INFINITY;
     worst = std::max(worst, off);
