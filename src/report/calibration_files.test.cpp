@@ -34,9 +34,12 @@ TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
   c.rock = "grey\nshale", c.verdict.next.advice = Advice::use_model;
   ParameterEstimate known{"matrix.E_c", "E_c", "Pa", 3e10, 2.9e10, 3.1e10, 1e9, 1e11, true, {}, {}},
       open{"matrix.tau_c", "tau_c", "Pa", 6e7, 2e7, 1.5e9, 1e6, 1e10, false, {}, {}};
+  Comparison met;
+  met.target.mean = 30e9, met.mean = 30.3e9;
+  c.fitted = {met};
   c.parameters = {known, open};
   const std::string text = recipe_comments(c);
-  EXPECT_THAT(text, HasSubstr("Next: run it (calibrated.toml)."));
+  EXPECT_THAT(text, HasSubstr("calibrated.toml"));
   EXPECT_THAT(text, HasSubstr("#   matrix.tau_c = 60 MPa, 95 % interval 20 MPa to 1.5 GPa\n"));
   EXPECT_THAT(text, Not(HasSubstr("E_c")));
   for (std::size_t from = 0; from + 1 < text.size(); from = text.find('\n', from) + 1)

@@ -223,7 +223,7 @@ TEST(Figures, ACalibrationIsDrawnFromTheNumbersOfItsFile) {
   EXPECT_EQ(model.name, "model, unseen packings");
   ASSERT_EQ(model.points.size(), 3U);
   EXPECT_NEAR(model.points[2].y, 210.0, 1e-6) << "on unseen packings, not on those of the fit";
-  EXPECT_EQ(model.points[0].text, "error +20.0 %") << "120 MPa beside 100";
+  EXPECT_EQ(model.points[0].text, "error +20 %") << "120 MPa beside 100";
   ASSERT_EQ(unseen.points.size(), 2U) << "one had no answer";
   EXPECT_NEAR(unseen.points[0].y, 70.0, 1e-6);
   ASSERT_EQ(band.points.size(), 3U);

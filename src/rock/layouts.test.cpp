@@ -115,13 +115,6 @@ TEST_F(Layouts, RadiansBelowDegreesAreAskedAbout) {
   EXPECT_THAT(r.notes, Contains(HasSubstr("converted to SI: theta [rad]")));
 }
 
-TEST_F(Layouts, AnglesThatHardlyDifferAreDoubted) {
-  EXPECT_THAT(rock("theta [deg],UCS [MPa]\n3,88\n5,60\n9,50\n").notes,
-              Contains(HasSubstr("all angles lie between 3 and 9 deg")));
-  EXPECT_THAT(rock("theta [deg],UCS [MPa]\n0,88\n15,60\n30,50\n").notes,
-              Not(Contains(HasSubstr("all angles lie"))));
-}
-
 TEST_F(Layouts, StrengthsAreReadWhateverBracketsTheirUnitHas) {
   for (const char* header :
        {"UCS（MPa）", "UCS {MPa}", "UCS: MPa", "UCS，MPa", "UCS (МПа)", "UCS，（MPa）"}) {

@@ -52,6 +52,16 @@ TEST(UnusualValues, UnitsOffByAThousandAreDoubted) {
   EXPECT_DOUBLE_EQ(ratio[0].number("ratio"), 46000.0);
 }
 
+// Radians among degrees, or percent: angles of a bedded rock that hardly differ.
+TEST(UnusualValues, AnglesThatHardlyDifferAreDoubted) {
+  const auto found = unusual_values(
+      with({cell(Property::ucs, 3, 88e6), cell(Property::ucs, 5, 60e6), cell(Property::ucs, 9, 50e6)}));
+  EXPECT_THAT(kinds(found), testing::Contains(Kind::narrow_angles));
+  EXPECT_THAT(kinds(unusual_values(with({cell(Property::ucs, 0, 88e6), cell(Property::ucs, 15, 60e6),
+                                         cell(Property::ucs, 30, 50e6)}))),
+              testing::Not(testing::Contains(Kind::narrow_angles)));
+}
+
 TEST(UnusualValues, ToughnessInAnotherUnitIsDoubted) {
   const auto found = unusual_values(with({cell(Property::fracture_toughness, 0, 1e3)}));
   ASSERT_THAT(kinds(found), ElementsAre(Kind::unusual_value));
