@@ -88,13 +88,15 @@ void check_same(const KeptRequest& wanted) {
   const auto refuse = [&](const std::string& expected) {
     throw InputError(option_problem("out", folder, expected, afresh));
   };
-  const auto begun = kept_in(folder);
-  if (!begun) refuse(fmt::format("a folder with {}, as this program writes it", request_file));
-  if (const auto problems = differences(wanted.request, begun->request); !problems.empty())
+  const std::string file = path_of_request(folder);
+  const auto text = io::read_if_file(file, largest_document);
+  if (!text) refuse(fmt::format("a folder that this version of phyllite began: it has no {}", request_file));
+  const KeptRequest begun = read_kept(*text, file);  // a damaged file is refused with its line
+  if (const auto problems = differences(wanted.request, begun.request); !problems.empty())
     throw InputError(problems);
-  const std::string of = fmt::format("; it is of \"{}\" ({})", begun->name, begun->request.rock);
-  if (wanted.table != begun->table) refuse("a folder begun with this table" + of);
-  if (wanted.model != begun->model) refuse("a folder begun with this recipe and rock file" + of);
+  const std::string of = fmt::format("; it is of \"{}\" ({})", begun.name, begun.request.rock);
+  if (wanted.table != begun.table) refuse("a folder begun with this table" + of);
+  if (wanted.model != begun.model) refuse("a folder begun with this recipe and rock file" + of);
 }
 
 /// All that is written beside the store.
@@ -159,7 +161,6 @@ BegunCalibration begin_calibration(const Evidence& evidence, const CalibrationRe
   const KeptRequest kept{request, evidence.rock.name, hash_of_table(evidence), hash_of_model(evidence)};
   const fs::path folder(request.out);
   std::string store = (folder / "runs.sqlite").string();
-  check_calibration_outputs(request.out);
   const bool begun =
       fs::exists(folder / "calibration.json") || (fs::exists(store) && study::Store(store).size() > 0);
   if (begun && !request.resume)
@@ -167,6 +168,7 @@ BegunCalibration begin_calibration(const Evidence& evidence, const CalibrationRe
         "out", request.out, "a folder without an earlier calibration",
         fmt::format("{} goes on with it; another {} begins afresh", option_set("resume"), option("out"))));
   if (begun) check_same(kept);
+  check_calibration_outputs(request.out);
   if (const std::string others = specimens_in(request.out); !begun && holds_results(others))
     throw InputError(
         option_problem("out", request.out, "a folder without " + others,

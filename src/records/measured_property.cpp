@@ -153,7 +153,7 @@ const std::array<MeasuredProperty, n_properties> properties = {
                  "empirical relation (ISRM 1985)",
       .headers = {"Is50", "I_s(50)", "point load strength", "point load strength index", "point load index",
                   "PLI", "PLSI"},
-      .axis = "point load strength {/:Italic I}_{s(50)}",
+      .axis = "point load strength I_s(50)",
       .part = Part::tension,
       .tolerance = 0.20,
       .coarsest = 0.50,
@@ -161,7 +161,6 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .test = "brazilian",
       .number = "bts",
       .share = 0.8,
-      .of_discs = true,
       .splits = true,
       .map = {"BTS/sigma_c"},
       .prior = {0.4, 0.15, 0.06}}}};

@@ -8,7 +8,7 @@
 namespace phy::report {
 
 /// Version of calibration.json (docs/formats.md).
-constexpr int calibration_format = 1;
+constexpr int calibration_format = 2;
 
 /// Everything but the times: the same calibration gives the same text.
 std::string calibration_json(const Calibration& calibration, const std::string& version);

@@ -345,6 +345,11 @@ std::string fit_text(const Calibration& c, const std::string& version) {
     text += fmt::format(" The numbers of solutions and tests include those of {} that {} not taken: {}.",
                         c.discarded.size() > 1 ? "other models" : "another model",
                         c.discarded.size() > 1 ? "were" : "was", fmt::join(c.discarded, "; "));
+  for (const MeasuredProperty& p : measured_properties())
+    if (p.share != 1.0 && std::any_of(c.fitted.begin(), c.fitted.end(),
+                                      [&](const Comparison& f) { return f.target.property == p.property; }))
+      text += fmt::format(" {} of the model is {:g} of its strength in the {} test, an empirical relation.",
+                          p.name, p.share, p.test);
   return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
 

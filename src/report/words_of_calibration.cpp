@@ -120,7 +120,7 @@ std::string unresolved(F f) {
   return fmt::format(
       "not resolved, an error of {} would pass as chance. {}", margin == limit ? finer() : margin,
       f.has("specimens")
-          ? fmt::format("{} bring that to {}.", counted_text(f.number("specimens"), "more specimen"), limit)
+          ? fmt::format("With {} that is {}.", counted_text(f.number("specimens"), "more specimen"), limit)
           : "Packings of this size differ too much; smaller grains help.");
 }
 
@@ -282,8 +282,8 @@ const std::vector<Wording> model_words = {
     {Kind::share_interval,
      [](F f) {
        return fmt::format(
-           "Joints lie on {:g} of the planes, {:g} to {:g} (95 %). Shares beyond miss E, miss {:g} times as "
-           "much, or were not compared. Search and ensemble keep {:g}.",
+           "Joints lie on {:g} of the planes, {:g} to {:g} (95 %). Shares outside miss E, miss the table by "
+           "{:g} times as much, or were not compared. Search and ensemble keep {:g}.",
            f.number("share"), f.number("low"), f.number("high"), f.number("factor"), f.number("share"));
      }},
     {Kind::model_tried, model_tried},
@@ -337,8 +337,8 @@ const std::vector<Wording> test_words = {
      true},
     {Kind::tests_marked,
      [](F f) {
-       return fmt::format("{:.0f} of {} on unseen packings carry a warning of {}.", f.number("tests"),
-                          counted_text(f.number("of"), "test"), f.names.front());
+       return fmt::format("A warning of {}: {:.0f} of {} on unseen packings.", f.names.front(),
+                          f.number("tests"), counted_text(f.number("of"), "test"));
      }},
     {Kind::tests_unmarked,
      [](F f) {
@@ -390,7 +390,7 @@ const std::vector<Wording> search_words = {
     {Kind::search_short,
      [](F f) {
        return fmt::format(
-           "The search was short ({} in compression{}): {} may come nearer.",
+           "The search was short ({} in compression{}). In a new folder {} may come nearer.",
            counted_text(f.number("tests"), "test"),
            f.number("models") > 1.0 ? " by " + counted_text(f.number("models"), "model") : std::string(),
            options_of_search(f));

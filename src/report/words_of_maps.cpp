@@ -62,8 +62,12 @@ const std::vector<Wording> forecasts = {
     {Kind::forecast_error, regression_error},
     {Kind::forecast_record,
      [](F f) {
-       return fmt::format("No test has run. Of {:.0f} such forecasts of synthetic rock {:.0f} {} wrong.",
-                          f.number("of"), f.number("wrong"), f.number("wrong") == 1.0 ? "was" : "were");
+       return fmt::format(
+           "No test has run. Of {:.0f} such forecasts of synthetic rock {:.0f} {} wrong.{}", f.number("of"),
+           f.number("wrong"), f.number("wrong") == 1.0 ? "was" : "were",
+           f.has("measured_rocks_missed_by_more")
+               ? " The measured rock that was tried was missed by more than its forecast in every run."
+               : "");
      }},
     {Kind::forecast_untried,
      [](F f) {

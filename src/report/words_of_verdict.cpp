@@ -42,8 +42,8 @@ std::string cause_text(const Finding& cause) {
   if (cause.has("share"))
     text =
         fmt::format(" {} in {}.",
-                    cause.number("share") == 1.0 ? "The misfit is"
-                                                 : percent_text(cause.number("share")) + " of the misfit is",
+                    cause.number("share") > 0.995 ? "The misfit is"
+                                                  : percent_text(cause.number("share")) + " of the misfit is",
                     list_text(cause.names));
   return text + " " + sentence(cause);
 }

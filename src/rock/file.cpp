@@ -71,7 +71,9 @@ const Fields& rock_fields() {
       choice("elastic_reading", "how moduli of cylinders are read in two dimensions")
           .one_of({"plane stress", "plane strain"})
           .by_default("\"plane stress\""),
-      choice("E_is", "slope that the table's E is; without UCS and confined E compared at small strain")
+      choice("E_is",
+             "slope that the table's E is; with neither UCS nor E under confinement it is compared at small "
+             "strain")
           .one_of(
               words_of_all({ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
                             ModulusReading::secant_at_peak, ModulusReading::small_strain}))
@@ -531,6 +533,10 @@ class RockReader {
                            "at least three angles for a bedded rock", "test 0, 45 and 90 degrees"});
     for (const Property p : kept)
       rock_.notes.push_back(fmt::format("{} under confining pressure is kept, not fitted", to_string(p)));
+    for (const MeasuredProperty& p : measured_properties())
+      if (p.share != 1.0 && std::any_of(rock_.readings.begin(), rock_.readings.end(),
+                                        [&](const RockReading& r) { return r.property == p.property; }))
+        rock_.notes.push_back(fmt::format("{}: {}", p.name, p.meaning));
     if (rock_.reading == ElasticReading::plane_strain && E && !nu)
       problems_.push_back({path_, "elastic_reading", "plane strain", "a column nu",
                            "plane strain cannot be converted without it"});

@@ -58,7 +58,9 @@ void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, Findings
   for (const Target& t : targets) {
     const Target* ucs = find_at(targets, Property::ucs, t.theta);
     const bool is_modulus = t.property == Property::E;
-    if (ucs == nullptr || !(is_modulus || is_tensile(t.property))) continue;
+    // what stands in for a test by an empirical relation has another ratio to UCS
+    const bool is_tension = is_tensile(t.property) && measured(t.property).share == 1.0;
+    if (ucs == nullptr || !(is_modulus || is_tension)) continue;
     const double ratio = t.mean / ucs->mean;
     const bool usual = is_modulus ? ratio >= least_ratio && ratio <= most_ratio : ratio <= most_tension;
     if (usual) continue;

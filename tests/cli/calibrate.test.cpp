@@ -190,8 +190,8 @@ TEST_F(CalibrateCli, ACalibrationIsDrawnWithoutAskingForAKind) {
   ASSERT_EQ(run(figure + " --kind cracks"), 2);
   EXPECT_THAT(output, testing::AllOf(HasSubstr("has tested none"), HasSubstr("--kind anisotropy")));
   ASSERT_EQ(run(figure + " --kind fig5"), 2);
-  EXPECT_THAT(output, testing::AllOf(HasSubstr("expected one of stress_strain, anisotropy"),
-                                     HasSubstr("holds no study")));
+  EXPECT_THAT(output,
+              testing::AllOf(HasSubstr("expected one of stress_strain"), HasSubstr("holds no study")));
   ASSERT_EQ(run(figure + " --rock " + at("rock.toml")), 2);
   EXPECT_THAT(output, HasSubstr("has its laboratory values already"));
   fs::create_directories(folder / "stopped");
@@ -220,7 +220,7 @@ TEST_F(CalibrateCli, ThePapersSequenceEndsWithTheSameFilesAndNoIntervals) {
   EXPECT_TRUE(fs::exists(out() + "/report.html"));
   ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;
   ASSERT_EQ(run(calibrate(out() + " --resume")), 2);  // by the other method
-  EXPECT_THAT(output, HasSubstr("--method sequence"));
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("--method"), HasSubstr("sequence")));
   EXPECT_EQ(run(calibrate(at("other") + " --method newton")), 2);
   EXPECT_EQ(run_to_event(300, SIGINT, calibrate(at("parts") + " --method sequence")), 1) << output;
   EXPECT_THAT(output, HasSubstr("--method sequence --resume"));
@@ -254,7 +254,7 @@ TEST_F(CalibrateCli, EffortIsRememberedAndNamesTheNextOne) {
   EXPECT_THAT(output, HasSubstr("--effort quick --resume"));
   ASSERT_THAT(run(quick + " --resume"), testing::AnyOf(0, 1)) << output;
   EXPECT_THAT(output, HasSubstr("moduli fitted on one packing by")) << "the first stage, told at once";
-  EXPECT_THAT(output, HasSubstr("longer with --effort normal in a new folder"));
+  EXPECT_THAT(output, HasSubstr("--effort normal"));
   EXPECT_THAT(read(out() + "/tables.txt"), HasSubstr("--effort normal may come nearer"));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"effort\": \"quick\""));
   ASSERT_EQ(run("calibrate " + rock() + " --threads 2 --resume --out " + out()), 2) << "of another effort";

@@ -309,19 +309,25 @@ TEST_F(Cli, InterruptKeepsWhatIsFinishedAndSaysTheRest) {
 }
 
 TEST_F(Cli, InterruptOfAnEnvelopeKeepsWhatIsFinishedToo) {
-  const std::string first = out() + "/sigma_3_0_MPa";
-  const auto finished = [&] { return n_results(first) > 0; };
+  const auto total = [&](const auto& count) {
+    int n = 0;  // the stresses are tested side by side
+    if (fs::exists(out()))
+      for (const auto& e : fs::directory_iterator(out()))
+        if (e.is_directory()) n += static_cast<int>(count(e.path().string()));
+    return n;
+  };
+  const auto finished = [&] { return total([](const std::string& f) { return n_results(f); }) > 0; };
   EXPECT_EQ(interrupted({"envelope", many_angles(), "--out", out()}, finished), 1) << output;
   EXPECT_THAT(output, HasSubstr("theta = 0 deg at 20 MPa"));
   EXPECT_THAT(output, HasSubstr("interrupted: not started; run the same recipe again"));
-  const int n_finished = n_whole_results(first);
+  const int n_finished = total([](const std::string& f) { return n_whole_results(f); });
   EXPECT_GE(n_finished, 1);
   const std::string tests = read(out() + "/envelope.csv");
   EXPECT_EQ(std::count(tests.begin(), tests.end(), '\n'), 1 + 4 * 30);
   int n_interrupted = 0;  // the others are reported with what they have: a peak, a knee, none
   for (std::size_t at = 0; (at = tests.find(",interrupted,", at)) != tests.npos; ++at) ++n_interrupted;
   EXPECT_EQ(4 * 30 - n_interrupted, n_finished);
-  EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,,,\n"));
+  EXPECT_GE(n_interrupted, 1);
   EXPECT_TRUE(fs::exists(out() + "/fits.csv"));
 }
 

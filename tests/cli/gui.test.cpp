@@ -321,11 +321,11 @@ TEST_F(Gui, ARequestOfBracketsIsRefused) {
 }
 
 TEST_F(Gui, ItsOwnInput) {
-  EXPECT_EQ(run("lab " + at("x") + " --port 70000"), 2);
-  EXPECT_EQ(run("lab " + at("x") + " --port " + std::to_string(port)), 3);
+  EXPECT_EQ(run("gui " + at("x") + " --port 70000"), 2);
+  EXPECT_EQ(run("gui " + at("x") + " --port " + std::to_string(port)), 3);
   EXPECT_THAT(output, HasSubstr("choose another --port"));
   write("file", "");
-  EXPECT_EQ(run("lab " + at("file")), 3);
+  EXPECT_EQ(run("gui " + at("file")), 3);
 }
 
 }  // namespace

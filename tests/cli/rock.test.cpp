@@ -75,7 +75,7 @@ TEST_F(RockCli, ACheckEndsWithTheVerdictThatIsForetold) {
   std::size_t at = 0;
   for (const char* part :
        {"theta ", "- Eq. 1 through E: E = ", "- Jaeger's plane", "- Largest value over least: ", "parameter ",
-        "- in the maps", "foretold: a calibration will probably end "}) {
+        "Forecast: a calibration will probably end "}) {
     const std::size_t found = output.find(part, at);
     ASSERT_NE(found, output.npos) << part << output;
     at = found;
@@ -119,7 +119,7 @@ TEST_F(RockCli, ATableOfBetaUnderThetaIsAskedInTheFirstLineOfCheckAndCalibration
 TEST_F(RockCli, ACheckOfRockWithoutBeddingSaysNothingOfLayers) {
   write("t.csv", "E [GPa],UCS [MPa],BTS [MPa]\n20,100,14\n21,105,13\n19,98,15\n");
   ASSERT_EQ(run("rock check " + write("t.toml", "bedded = false\ndata = \"t.csv\"\n")), 0) << output;
-  EXPECT_THAT(output, AllOf(HasSubstr("foretold: "), testing::Not(HasSubstr("Eq. 1")),
+  EXPECT_THAT(output, AllOf(HasSubstr("Forecast: "), testing::Not(HasSubstr("Eq. 1")),
                             testing::Not(HasSubstr("Jaeger")), testing::Not(HasSubstr("Largest value"))));
 }
 

@@ -118,7 +118,8 @@ TEST_F(Install, BashCompletesVerbsOptionsValuesFilesAndFolders) {
   EXPECT_THAT(tab({"calibrate", "rock.toml", "--met"}), UnorderedElementsAre("--method"));
   EXPECT_THAT(tab({"calibrate", "--method", ""}), UnorderedElementsAre("posterior", "sequence"));
   EXPECT_THAT(tab({"calibrate", "--method", "=", "se"}), UnorderedElementsAre("sequence"));
-  EXPECT_THAT(tab({"figure", "results", "--format", "="}), UnorderedElementsAre("svg", "pdf", "png"));
+  EXPECT_THAT(tab({"figure", "results", "--format", "="}),
+              UnorderedElementsAre("svg", "pdf", "png", "terminal"));
   EXPECT_THAT(tab({"--threads", "2", "run", "--lanes", "1"}), UnorderedElementsAre("1", "16"));
   EXPECT_THAT(tab({"rock", "twin", "--E-is", "tan"}), UnorderedElementsAre("-o filenames", "tangent 50 %"));
   EXPECT_THAT(tab({"figure", "results", "--kind", "st"}),

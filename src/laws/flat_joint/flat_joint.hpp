@@ -155,8 +155,10 @@ void find_cracks(const Division<N, R>& of, R shear, const PartMotion<R>& now, co
                  Cracks<R, N>& cracks) {
   for (int e = 0; e < N; ++e) {
     const R a = now.m.closure + now.m.rotation * of.centre(e);
-    cracks.tension[e] = bonded[e] & (!now.at_rest) & fails_in_tension(of.p, a, of.b);
-    cracks.shear[e] = bonded[e] & (!now.at_rest) & (!cracks.tension[e]) & fails_in_shear(of.p, a, shear);
+    const MaskOf<R> may_break = bonded[e] & (!now.at_rest);
+    const MaskOf<R> pulled = fails_in_tension(of.p, a, of.b), sheared = fails_in_shear(of.p, a, shear);
+    cracks.tension[e] = may_break & pulled;
+    cracks.shear[e] = may_break & (!cracks.tension[e]) & sheared;
   }
 }
 
