@@ -163,12 +163,12 @@ BegunCalibration begin_calibration(const Evidence& evidence, const CalibrationRe
   std::string store = (folder / "runs.sqlite").string();
   const bool begun =
       fs::exists(folder / "calibration.json") || (fs::exists(store) && study::Store(store).size() > 0);
+  if (begun && request.resume) check_same(kept);  // what differs is named before a file that was changed
+  check_calibration_outputs(request.out);
   if (begun && !request.resume)
     throw InputError(option_problem(
         "out", request.out, "a folder without an earlier calibration",
         fmt::format("{} goes on with it; another {} begins afresh", option_set("resume"), option("out"))));
-  if (begun) check_same(kept);
-  check_calibration_outputs(request.out);
   if (const std::string others = specimens_in(request.out); !begun && holds_results(others))
     throw InputError(
         option_problem("out", request.out, "a folder without " + others,

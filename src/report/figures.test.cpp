@@ -271,7 +271,7 @@ TEST(Figures, AFileThatIsNoCalibrationIsNamed) {
       comparisons_of(text, "here/calibration.json");
       FAIL() << text;
     } catch (const InputError& e) {
-      EXPECT_THAT(e.what(), HasSubstr("here/calibration.json: expected a calibration of format 1"));
+      EXPECT_THAT(e.what(), HasSubstr("here/calibration.json: expected a calibration of format 2"));
     }
   }
 }

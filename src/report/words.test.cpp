@@ -57,8 +57,8 @@ TEST(Words, WhatIsTheSameOfSeveralCellsIsOneSentence) {
 TEST(Words, AValueThatIsNotResolvedSaysWhatWouldHelp) {
   Finding f{Kind::value_unresolved, {ucs_60}, {{"margin", 0.226}, {"coarsest", 0.15}, {"specimens", 3.0}}};
   EXPECT_EQ(sentence(f),
-            "UCS at 60 degrees: not resolved, an error of 23 % would pass as chance. 3 more specimens "
-            "bring that to 15 %.");
+            "UCS at 60 degrees: not resolved, an error of 23 % would pass as chance. With 3 more "
+            "specimens that is 15 %.");
   f.numbers = {{"margin", 0.1504}, {"coarsest", 0.15}};
   EXPECT_EQ(sentence(f),
             "UCS at 60 degrees: not resolved, an error of 15.0 % would pass as chance. Packings of "
@@ -80,12 +80,12 @@ TEST(Words, CausesOfTheMisfit) {
 }
 
 TEST(Words, NotesOfTheWay) {
-  EXPECT_EQ(
-      sentence({Kind::search_short,
-                {},
-                {{"tests", 60.0}, {"models", 2.0}, {"of_effort", 1.0}, {"of_tests", 1.0}}}),
-      "The search was short (60 tests in compression by 2 models): --effort normal and a larger --max-tests "
-      "may come nearer.");
+  EXPECT_EQ(sentence({Kind::search_short,
+                      {},
+                      {{"tests", 60.0}, {"models", 2.0}, {"of_effort", 1.0}, {"of_tests", 1.0}}}),
+            "The search was short (60 tests in compression by 2 models). In a new folder --effort normal and "
+            "a larger --max-tests "
+            "may come nearer.");
   EXPECT_EQ(sentence({Kind::packings_added, {}, {{"packings", 10.0}, {"usual", 5.0}}}),
             "Strengths of packings of this size differ so much that 10 unseen ones were taken instead of 5.");
 }

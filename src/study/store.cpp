@@ -22,6 +22,25 @@
 #include "io/deflate.hpp"
 
 namespace phy::study {
+std::string checksum_of(const StoredResult& r) {
+  std::string all;
+  // With its length in front no text can pass for two.
+  const auto add = [&](std::string_view text) {
+    all.append(std::to_string(text.size())).append(":").append(text);
+  };
+  const TestResult& t = r.result;
+  for (const std::string_view text :
+       {r.key, r.recipe, t.name, std::string(to_string(t.outcome.status)), t.outcome.reason, t.outcome.advice,
+        t.hash, r.host, r.program, r.finished, r.series})
+    add(text);
+  for (const double value : {t.theta, t.dt, t.seconds}) add(print_number(value));
+  for (const std::int64_t value : {std::int64_t{t.intact}, t.n_steps, t.n_contacts, r.n_cracks})
+    add(std::to_string(value));
+  for (const Number& n : t.numbers)
+    add(n.name), add(print_number(n.value)), add(n.unit), add(n.definition), add(n.note);
+  return fingerprint_of(all);
+}
+
 namespace {
 
 // From linux/magic.h and the file systems' own headers; there is no portable test for "network".
@@ -166,26 +185,6 @@ void read_numbers(io::Database& database, StoredResult& r) {
                   "SELECT name, value, unit, definition, note FROM number WHERE key = ? ORDER BY place");
   s.bind(r.key);
   while (s.step()) r.result.numbers.push_back({s.text(0), s.number(1), s.text(2), s.text(3), s.text(4)});
-}
-
-/// Over everything of a record; of history and cracks over their fingerprint.
-std::string checksum_of(const StoredResult& r) {
-  std::string all;
-  // With its length in front no text can pass for two.
-  const auto add = [&](std::string_view text) {
-    all.append(std::to_string(text.size())).append(":").append(text);
-  };
-  const TestResult& t = r.result;
-  for (const std::string_view text :
-       {r.key, r.recipe, t.name, std::string(to_string(t.outcome.status)), t.outcome.reason, t.outcome.advice,
-        t.hash, r.host, r.program, r.finished, r.series})
-    add(text);
-  for (const double value : {t.theta, t.dt, t.seconds}) add(print_number(value));
-  for (const std::int64_t value : {std::int64_t{t.intact}, t.n_steps, t.n_contacts, r.n_cracks})
-    add(std::to_string(value));
-  for (const Number& n : t.numbers)
-    add(n.name), add(print_number(n.value)), add(n.unit), add(n.definition), add(n.note);
-  return fingerprint_of(all);
 }
 
 std::string series_of(const std::string& history, const std::string& cracks) {

@@ -39,6 +39,9 @@ struct StoredResult {
   std::string host, program, finished;  ///< where, by which version, when (UTC)
 };
 
+/// Over everything of a record; of history and cracks over their fingerprint. Stored with it.
+std::string checksum_of(const StoredResult& record);
+
 enum class Claim {
   mine,      ///< this store object runs it now: put or release it
   done,      ///< there is a row

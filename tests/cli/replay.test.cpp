@@ -7,6 +7,7 @@
 #include <regex>
 #include <thread>
 
+#include "../change_rows.hpp"
 #include "../program.hpp"
 #include "io/sqlite.hpp"
 
@@ -76,8 +77,25 @@ TEST_F(Replay, SomeTestsOfAStore) {
   EXPECT_EQ(run("replay " + out() + " --tests 1 --out " + at("again")), 0) << output;
   EXPECT_THAT(output, HasSubstr("1 of its 3 tests"));
   EXPECT_EQ(run("show " + at("again")), 0) << "as results of a run: " << output;
-  in_store("UPDATE number SET value = 2 * value WHERE name = 'ucs'");
+  const std::string twice = "UPDATE number SET value = 2 * value WHERE name = 'ucs'";
+  phy::change_rows(out() + "/study.sqlite", twice, [](phy::study::StoredResult& r) {
+    for (phy::Number& n : r.result.numbers)
+      if (n.name == "ucs") n.value *= 2.0;
+  });
+  EXPECT_EQ(run("replay " + out()), 1) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("(-50 %)"), HasSubstr("3 differ")));
+  in_store(twice);  // without the checksum
   EXPECT_EQ(run("replay " + out()), 3) << output;
+}
+
+TEST_F(Replay, RowsOfOtherPhysicsAreTold) {
+  ASSERT_EQ(run("study " + study() + " --out " + out()), 0) << output;
+  phy::change_rows(
+      out() + "/study.sqlite",
+      "UPDATE number SET key = 'x' || substr(key, 2); UPDATE specimen SET key = 'x' || substr(key, 2)",
+      [](phy::study::StoredResult& r) { r.key[0] = 'x'; });
+  EXPECT_EQ(run("replay " + out()), 1) << output;
+  EXPECT_THAT(output, HasSubstr("stored by a version of other physics"));
 }
 
 TEST_F(Replay, DirectSolutions) {

@@ -366,7 +366,7 @@ TEST_F(Attack, WhatIsDamagedIsToldWithoutNumbersOfALibrary) {
     EXPECT_THAT(output, AllOf(HasSubstr("expected a result of format 1; "), Not(HasSubstr("exception"))));
     EXPECT_EQ(phyllite("report c"), 2);
     EXPECT_THAT(output,
-                AllOf(HasSubstr("expected a calibration of format 1; "), Not(HasSubstr("exception"))));
+                AllOf(HasSubstr("expected a calibration of format 2; "), Not(HasSubstr("exception"))));
   }
 }
 

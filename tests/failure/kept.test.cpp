@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "../change_rows.hpp"
 #include "../program.hpp"
 #include "io/sqlite.hpp"
 
@@ -72,10 +73,10 @@ TEST_F(Kept, ATableOfNoListIsReadToItsEnd) {
 TEST_F(Kept, RowsOfAnotherVersionAreTold) {
   ASSERT_EQ(run("study " + study() + " --out " + out()), 0) << output;
   EXPECT_THAT(output, Not(HasSubstr("made by")));
-  // As that version would have stored it: without a checksum, in the format before.
-  in_store(
-      "UPDATE specimen SET program = 'phyllite 0.0.9' WHERE intact; ALTER TABLE specimen DROP COLUMN series;"
-      "ALTER TABLE specimen DROP COLUMN checksum; PRAGMA user_version = 2");
+  phy::change_rows(out() + "/study.sqlite", "UPDATE specimen SET program = 'phyllite 0.0.9' WHERE intact",
+                   [](phy::study::StoredResult& r) {
+                     if (r.result.intact) r.program = "phyllite 0.0.9";
+                   });
   for (const char* verb : {"status", "effects", "resume"}) {
     EXPECT_EQ(run("study " + std::string(verb) + " " + out()), 0) << output;
     EXPECT_THAT(output, HasSubstr("1 result(s) were made by phyllite 0.0.9, this is phyllite ")) << verb;
