@@ -311,6 +311,17 @@ std::string layers_text(const Calibration& c) {
   return model != nullptr ? model->sentence : "";
 }
 
+/// What stands in for a test of its own by an empirical relation.
+std::string relations_text(const Calibration& c) {
+  std::string text;
+  for (const MeasuredProperty& p : measured_properties())
+    if (p.share != 1.0 && std::any_of(c.fitted.begin(), c.fitted.end(),
+                                      [&](const Comparison& f) { return f.target.property == p.property; }))
+      text += fmt::format(" {} of the model is {:g} of its strength in the {} test, an empirical relation.",
+                          p.name, p.share, p.test);
+  return text;
+}
+
 std::string fit_text(const Calibration& c, const std::string& version) {
   const std::int64_t n_ucs = c.counts.compression();
   std::string text = fmt::format(
@@ -345,11 +356,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
     text += fmt::format(" The numbers of solutions and tests include those of {} that {} not taken: {}.",
                         c.discarded.size() > 1 ? "other models" : "another model",
                         c.discarded.size() > 1 ? "were" : "was", fmt::join(c.discarded, "; "));
-  for (const MeasuredProperty& p : measured_properties())
-    if (p.share != 1.0 && std::any_of(c.fitted.begin(), c.fitted.end(),
-                                      [&](const Comparison& f) { return f.target.property == p.property; }))
-      text += fmt::format(" {} of the model is {:g} of its strength in the {} test, an empirical relation.",
-                          p.name, p.share, p.test);
+  text += relations_text(c);
   return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
 
