@@ -75,7 +75,7 @@ TEST_F(RockCli, ACheckEndsWithTheVerdictThatIsForetold) {
   std::size_t at = 0;
   for (const char* part :
        {"theta ", "- Eq. 1 through E: E = ", "- Jaeger's plane", "- Largest value over least: ", "parameter ",
-        "Forecast: a calibration will probably end "}) {
+        "Forecast: a calibration will probably "}) {
     const std::size_t found = output.find(part, at);
     ASSERT_NE(found, output.npos) << part << output;
     at = found;
