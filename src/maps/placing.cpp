@@ -118,7 +118,10 @@ std::optional<Finding> ratio_in_maps(const Evidence& evidence, const std::vector
     if (reached.low <= laboratory && laboratory <= reached.high) f.names.emplace_back(m.model->label);
   }
   if (high == 0.0) return {};
-  f.numbers = {{"laboratory", laboratory}, {"low", low}, {"high", high}};
+  f.numbers = {{"laboratory", laboratory},
+               {"low", low},
+               {"high", high},
+               {"models", static_cast<double>(models.size())}};
   return f;
 }
 

@@ -1,5 +1,6 @@
 // What the maps of models say of a table before anything runs, in words.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -27,9 +28,14 @@ std::string forecast(F f, const char* end) {
 
 std::string ratio(F f) {
   const Cell& c = f.cells.front();
-  return fmt::format("UCS/{} at {} is {:.1f} in the table; mapped specimens have {:.1f} to {:.1f}{}.",
+  const std::string reached =  // names of models have commas of their own
+      f.names.empty() ? "No mapped model reaches it."
+      : f.number("models") == static_cast<double>(f.names.size())
+          ? "Every mapped model reaches it."
+          : fmt::format("Reached with: {}.", fmt::join(f.names, "; "));
+  return fmt::format("UCS/{} at {} is {:.1f} in the table; mapped specimens have {:.1f} to {:.1f}. {}",
                      to_string(c.property), angles_text({c.theta}), f.number("laboratory"), f.number("low"),
-                     f.number("high"), f.names.empty() ? "" : ", and reach it with " + list_text(f.names));
+                     f.number("high"), reached);
 }
 
 std::string regression_error(F f) {
