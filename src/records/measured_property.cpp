@@ -161,6 +161,7 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .test = "brazilian",
       .number = "bts",
       .share = 0.8,
+      .of_discs = true,
       .splits = true,
       .map = {"BTS/sigma_c"},
       .prior = {0.4, 0.15, 0.06}}}};

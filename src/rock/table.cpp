@@ -267,6 +267,7 @@ class ReadingReader {
     const Head& h = heads_.all[i];
     r.property = h.property, r.value = v[i] + (h.deviatoric ? r.confining : 0.0);
     if (!h.replicate.empty()) r.n = 1;
+    if (measured(r.property).share != 1.0) r.diameter = 0.0;  // I_s(50) has been converted to 50 mm
     if (!asked && !is_strength(r.property)) {
       elsewhere_.insert(r.confining);
       return;
