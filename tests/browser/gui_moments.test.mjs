@@ -30,7 +30,7 @@ before(async () => {
   writeFileSync(join(folder, "slate.toml"), `name = "slate"\ndata = "slate.csv"\n[columns]\n"specimen" = "-"\n"depth of the core in the borehole" = "-"\n"remark of the laboratory" = "-"\n`);
   mkdirSync(join(folder, "slate-calibration"));
   writeFileSync(join(folder, "slate-calibration/calibrated.toml"), calibrated);
-  writeFileSync(join(folder, "slate-calibration/calibration.json"), JSON.stringify({ format: 1, rock: "slate", verdict }));
+  writeFileSync(join(folder, "slate-calibration/calibration.json"), JSON.stringify({ format: 2, rock: "slate", verdict }));
   writeFileSync(join(folder, "slate-calibration/tables.txt"), "UCS 12 % off\n");
   program = spawn(phyllite, ["--threads", "2", "gui", folder, "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
   address = await new Promise((resolve, reject) => {
