@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace phy {
 namespace {
@@ -16,66 +15,66 @@ bool has_layers_of(const RockModel& m, const Recipe& r) {
 
 constexpr auto parallel = MatrixModel::parallel_bond, flat = MatrixModel::flat_joint;
 
+// an array of the language, in which an entry may name another
+const RockModel models[] = {
+    {.id = "parallel-bonds",
+     .layered = false,
+     .layers = LayerModel::planes,
+     .matrix = parallel,
+     .words = "parallel bonds",
+     .sentence = ""},
+    {.id = "flat-joints",
+     .layered = false,
+     .layers = LayerModel::planes,
+     .matrix = flat,
+     .words = "flat joints",
+     .sentence = ""},
+    {.id = "planes",
+     .layered = true,
+     .layers = LayerModel::planes,
+     .matrix = parallel,
+     .joints = true,
+     .words = "joints on planes",
+     .sentence = ""},
+    {.id = "directions",
+     .layered = true,
+     .layers = LayerModel::directions,
+     .matrix = parallel,
+     .directions = true,
+     .words = "directions of the bonds",
+     .sentence = " The layers are represented by bonds whose stiffness and strength depend on their "
+                 "direction."},
+    {.id = "planes-and-directions",
+     .layered = true,
+     .layers = LayerModel::planes_and_directions,
+     .matrix = parallel,
+     .joints = true,
+     .directions = true,
+     .words = "joints on planes, directions of the bonds' strength",
+     .sentence = " The layers are represented by smooth joints between bonds whose strength depends on "
+                 "their direction.",
+     .contains = &models[2]},
+    {.id = "planes-with-bridges",
+     .layered = true,
+     .layers = LayerModel::planes_with_bridges,
+     .matrix = parallel,
+     .joints = true,
+     .bridges = true,
+     .words = "joints on {:g} of the planes",
+     .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
+                 "bridges.",
+     .contains = &models[2]},
+    {.id = "planes-between-flat-joints",
+     .layered = true,
+     .layers = LayerModel::planes,
+     .matrix = flat,
+     .joints = true,
+     .words = "joints on planes between flat joints",
+     .sentence = ""}};
+
 }  // namespace
 
-std::span<const RockModel> rock_models() {
-  static const std::array<RockModel, 7> models = {
-      {{.id = "parallel-bonds",
-        .layered = false,
-        .layers = LayerModel::planes,
-        .matrix = parallel,
-        .words = "parallel bonds",
-        .sentence = ""},
-       {.id = "flat-joints",
-        .layered = false,
-        .layers = LayerModel::planes,
-        .matrix = flat,
-        .words = "flat joints",
-        .sentence = ""},
-       {.id = "planes",
-        .layered = true,
-        .layers = LayerModel::planes,
-        .matrix = parallel,
-        .joints = true,
-        .words = "joints on planes",
-        .sentence = ""},
-       {.id = "directions",
-        .layered = true,
-        .layers = LayerModel::directions,
-        .matrix = parallel,
-        .directions = true,
-        .words = "directions of the bonds",
-        .sentence = " The layers are represented by bonds whose stiffness and strength depend on their "
-                    "direction."},
-       {.id = "planes-and-directions",
-        .layered = true,
-        .layers = LayerModel::planes_and_directions,
-        .matrix = parallel,
-        .joints = true,
-        .directions = true,
-        .words = "joints on planes, directions of the bonds' strength",
-        .sentence = " The layers are represented by smooth joints between bonds whose strength depends on "
-                    "their direction.",
-        .contains = &models[2]},
-       {.id = "planes-with-bridges",
-        .layered = true,
-        .layers = LayerModel::planes_with_bridges,
-        .matrix = parallel,
-        .joints = true,
-        .bridges = true,
-        .words = "joints on {:g} of the planes",
-        .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
-                    "bridges.",
-        .contains = &models[2]},
-       {.id = "planes-between-flat-joints",
-        .layered = true,
-        .layers = LayerModel::planes,
-        .matrix = flat,
-        .joints = true,
-        .words = "joints on planes between flat joints",
-        .sentence = ""}}};
-  return models;
-}
+std::span<const RockModel> rock_models() { return models; }
 
 bool RockModel::has(const Recipe& r) const { return matrix == r.matrix.model && has_layers_of(*this, r); }
 
