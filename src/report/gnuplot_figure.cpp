@@ -100,6 +100,8 @@ Grid grid_of(const Figure& figure, double width, double head) {
     g.columns = std::min<std::size_t>(n, 4);
     g.left = g.right = g.bottom = 1.0;
   }
+  if (figure.panels.size() == 1 && figure.panels.front().title.empty())
+    g.top = 2.0;  // letters of several panels need room
   g.rows = (n + g.columns - 1) / g.columns;
   g.width = width, g.head = head;
   const auto columns = static_cast<double>(g.columns), rows = static_cast<double>(g.rows);
@@ -182,7 +184,7 @@ double step_of(const Axis& axis, double width) {
 void set_axis(GnuplotScript& s, const Axis& axis, const char* name, double high, const Grid& g) {
   s.add("set {}range [{:.8g}:{:.8g}]", name, axis.low, high);
   s.add("set {}label {}{}", name, gnuplot_string(typeset(axis.label())),
-        name == std::string("y") ? " offset 1" : "");
+        name == std::string("y") ? " offset 0.3" : "");
   if (axis.logarithmic)
     s.add("set logscale {0}; set format {0} '10^{{%L}}'", name);
   else
@@ -268,12 +270,14 @@ std::string gnuplot_script(const Figure& figure, FigureFormat format, double wid
   KeyRows key;
   double head = 0.0;
   if (figure.key == Key::shared) {
-    // gnuplot takes long names for wider than they are, and short ones for narrower.
     key = key_of(panels_of(figure), width, false);
     if (key.rows > 0) head = 1.0 + 3.4 * static_cast<double>(key.rows);
+    // gnuplot takes long names for wider than they are, and short ones for narrower
+    const double wider = 2.0 - static_cast<double>(key.longest) / 6.0;  // [letters] of each column
     s.add(
-        "set key at screen 0.06,screen 0.995 left top vertical maxrows {} reverse Left samplen 2.4 width -4",
-        std::max<std::size_t>(1, key.rows));
+        "set key at screen 0.06,screen 0.995 left top vertical maxrows {} reverse Left samplen 2.4 width "
+        "{:.1f}",
+        std::max<std::size_t>(1, key.rows), wider);
   } else if (figure.key == Key::inside) {
     s.add("set key top center reverse Left maxrows 3 samplen 1.2 font ',6' width -2");
   }
