@@ -136,7 +136,7 @@ const std::vector<ManText>& texts() {
       {"show",
        "Prints the tables of a run again, from its folder: packing, strengths, moduli, cracks, quality. A "
        "file that "
-       "was changed or cut short since it was written is told and not shown.",
+       "was changed or cut short since it was written is reported and not shown.",
        {},
        {{"", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},
         {"", "phyllite show results/pfc2d"}}},
@@ -257,7 +257,7 @@ const std::vector<ManEntry>& exit_codes() {
       {"1",
        "a test did not succeed (no peak, unstable, untrusted), a check or comparison failed, or a verdict is "
        "out of reach; or a signal stopped the verb, and finished tests are kept"},
-      {"2", "the input cannot be used; every problem is told before anything runs"},
+      {"2", "the input cannot be used; every problem is reported before anything runs"},
       {"3", "a file cannot be read or written, or standard output could not take everything"},
       {"4", "an error of the program itself"}};
   return all;
