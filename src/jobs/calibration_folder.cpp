@@ -71,14 +71,11 @@ std::string hash_of_model(const Evidence& evidence) {
 
 std::string path_of_request(const std::string& folder) { return (fs::path(folder) / request_file).string(); }
 
+/// Throws InputError with the line where it is damaged.
 std::optional<KeptRequest> kept_in(const std::string& folder) {
   const std::string file = path_of_request(folder);
-  try {
-    const auto text = io::read_if_file(file, largest_document);
-    return text ? std::optional(read_kept(*text, file)) : std::nullopt;
-  } catch (const InputError&) {
-    return {};
-  }
+  const auto text = io::read_if_file(file, largest_document);
+  return text ? std::optional(read_kept(*text, file)) : std::nullopt;
 }
 
 /// Throws InputError where `wanted` would be written over another calibration.
@@ -88,15 +85,13 @@ void check_same(const KeptRequest& wanted) {
   const auto refuse = [&](const std::string& expected) {
     throw InputError(option_problem("out", folder, expected, afresh));
   };
-  const std::string file = path_of_request(folder);
-  const auto text = io::read_if_file(file, largest_document);
-  if (!text) refuse(fmt::format("a folder that this version of phyllite began: it has no {}", request_file));
-  const KeptRequest begun = read_kept(*text, file);  // a damaged file is refused with its line
-  if (const auto problems = differences(wanted.request, begun.request); !problems.empty())
+  const auto begun = kept_in(folder);
+  if (!begun) refuse(fmt::format("a folder that this version of phyllite began: it has no {}", request_file));
+  if (const auto problems = differences(wanted.request, begun->request); !problems.empty())
     throw InputError(problems);
-  const std::string of = fmt::format("; it is of \"{}\" ({})", begun.name, begun.request.rock);
-  if (wanted.table != begun.table) refuse("a folder begun with this table" + of);
-  if (wanted.model != begun.model) refuse("a folder begun with this recipe and rock file" + of);
+  const std::string of = fmt::format("; it is of \"{}\" ({})", begun->name, begun->request.rock);
+  if (wanted.table != begun->table) refuse("a folder begun with this table, read in the same way" + of);
+  if (wanted.model != begun->model) refuse("a folder begun with this recipe and rock file" + of);
 }
 
 /// All that is written beside the store.
@@ -120,10 +115,14 @@ std::string tables_of(const Calibration& c) {
 }  // namespace
 
 std::optional<CalibrationRequest> request_in(const std::string& folder) {
-  auto kept = kept_in(folder);
-  if (!kept) return {};
-  kept->request.out = folder;
-  return kept->request;
+  try {
+    auto kept = kept_in(folder);
+    if (!kept) return {};
+    kept->request.out = folder;
+    return kept->request;
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 Rock with_matrix(Rock rock, const CalibrationRequest& request) {
