@@ -136,7 +136,7 @@ const std::vector<ManText>& texts() {
       {"show",
        "Prints the tables of a run again, from its folder: packing, strengths, moduli, cracks, quality. A "
        "file that "
-       "was changed or cut short since it was written is told and not shown.",
+       "was changed or cut short since it was written is reported and not shown.",
        {},
        {{"", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},
         {"", "phyllite show results/pfc2d"}}},
@@ -153,7 +153,7 @@ const std::vector<ManText>& texts() {
        "result is tested on packings that the fit has not seen. Each strength is predicted without its own "
        "value. A verdict says whether the table is met, except for what, or why not. It takes minutes to "
        "hours: "
-       "`phyllite rock check` foretells the end in a second.\n\n"
+       "`phyllite rock check` forecasts the end in a second.\n\n"
        "An interrupted calibration goes on with --resume. Exit status 1 says that the rock is out of reach "
        "of the "
        "model, or that the calibration was stopped.",
@@ -257,7 +257,7 @@ const std::vector<ManEntry>& exit_codes() {
       {"1",
        "a test did not succeed (no peak, unstable, untrusted), a check or comparison failed, or a verdict is "
        "out of reach; or a signal stopped the verb, and finished tests are kept"},
-      {"2", "the input cannot be used; every problem is told before anything runs"},
+      {"2", "the input cannot be used; every problem is reported before anything runs"},
       {"3", "a file cannot be read or written, or standard output could not take everything"},
       {"4", "an error of the program itself"}};
   return all;
