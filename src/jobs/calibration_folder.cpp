@@ -18,6 +18,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/another_recipe.hpp"
 #include "jobs/run_folder.hpp"
+#include "jobs/study_folder.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/specimen_record.hpp"
 #include "report/calibration_files.hpp"
@@ -225,13 +226,14 @@ void write_calibration(const std::string& folder, const Calibration& c) {
   io::write_output((out / "tables.txt").string(), tables_of(c));
 }
 
+std::string time_left(const calibrate::TestProgress& p) {
+  if (p.seconds_left > 0.0) return duration(p.seconds_left);
+  return p.n_done > 0 ? "later than estimated" : "not yet known";
+}
+
 std::string progress_text(const calibrate::TestProgress& p) {
-  const std::string left = p.seconds_left > 90.0  ? fmt::format("{:.0f} min", p.seconds_left / 60.0)
-                           : p.seconds_left > 0.0 ? fmt::format("{:.0f} s", p.seconds_left)
-                           : p.n_done > 0         ? "later than estimated"
-                                                  : "not yet known";
   return fmt::format("{}/{} tests of this batch, time left for the calibration: {}", p.n_done, p.n_total,
-                     left);
+                     time_left(p));
 }
 
 }  // namespace phy::jobs
