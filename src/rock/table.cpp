@@ -95,8 +95,7 @@ class ReadingReader {
     if (n_assumed_ > 0)
       notes_.push_back(
           fmt::format("{} of {} values have an SD but no number of specimens (column n), or 1: they count as "
-                      "means of {}, "
-                      "the fewest that have one",
+                      "means of {}",
                       n_assumed_, readings_.size(), least_with_sd));
     Readings made{std::move(readings_),
                   heads_.angles().has_value(),
