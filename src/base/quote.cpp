@@ -120,7 +120,7 @@ std::string sh_word(std::string_view text) {
 }
 
 std::string command_of(const std::vector<std::string>& words) {
-  std::string command = "phyllite";
+  std::string command = "phyllite";  // as it can be pasted into a shell
   for (const std::string& word : words) command += " " + sh_word(word);
   return command;
 }
