@@ -77,21 +77,8 @@ def statements(body):
 
 
 NO_FUNCTION = {'void', 'bool', 'int', 'double', 'if', 'for', 'while', 'switch', 'catch', 'return', 'sizeof', 'alignof', 'decltype', 'noexcept', 'requires',
-               'alignas', 'static_assert', 'explicit', '__attribute__', 'throw', 'new', 'delete', 'defined'}
-OPENS = {')': '(', ']': '[', '}': '{'}
-
-
-def opening(code, close):
-    """Where the bracket that ends at `close` begins."""
-    depth = 0
-    for i in range(close, -1, -1):
-        if code[i] in ')]}':
-            depth += 1
-        elif code[i] in '([{':
-            depth -= 1
-            if depth == 0:
-                return i
-    return -1
+               'alignas', 'static_assert', 'explicit', '__attribute__', 'throw', 'new', 'delete', 'defined',
+               'operator'}  # what follows it is its name
 
 
 def parameter_count(text):
@@ -118,31 +105,16 @@ NAME = re.compile(r'((?:[A-Za-z_~][\w]*(?:<[^<>()]*>)?::)*(?:operator\s*(?:\(\)|
 
 def head_of_function(code, start, brace):
     """Name, its place and the parameter list, if what is between `start` and the brace heads a function; else None."""
-    i = start
-    depth = angle = 0
-    while i < brace:  # the first list of parentheses at the outermost level that follows a name
-        c = code[i]
-        if c == '(' and depth == 0:
-            before = code[start:i]
-            name = NAME.search(before)
-            close = i
-            level = 0
-            while close < brace:
-                level += {'(': 1, ')': -1}.get(code[close], 0)
-                if level == 0:
-                    break
-                close += 1
-            word = name.group(1).split('::')[-1] if name else ''
-            if name and word in ('operator',):  # operator()
-                i = close + 1
-                continue
-            if word == 'operator()' or (name and word not in NO_FUNCTION and not before.rstrip().endswith('=')):
-                if re.search(r'(?<![=!<>+\-*/|&^%])=(?!=)', re.sub(r'operator\s*[^\s\w(]+', '', without_angles(before))):
-                    return None  # an initialiser
-                return name.group(1), start + name.start(1), code[i + 1:close]
-            i = close + 1
-            continue
-        i += 1
+    i = code.find('(', start, brace)
+    while i >= 0:  # the first list of parentheses at the outermost level that follows a name
+        before, close = code[start:i], closing(code, i)
+        name = NAME.search(before)
+        word = name.group(1).split('::')[-1] if name else ''
+        if word == 'operator()' or (name and word not in NO_FUNCTION and not before.rstrip().endswith('=')):
+            if re.search(r'(?<![=!<>+\-*/|&^%])=(?!=)', re.sub(r'operator\s*[^\s\w(]+', '', without_angles(before))):
+                return None  # an initialiser
+            return name.group(1), start + name.start(1), code[i + 1:close]
+        i = code.find('(', close + 1, brace)
     return None
 
 

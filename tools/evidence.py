@@ -18,7 +18,7 @@ import sys
 import zlib
 
 import measured
-from results_csv import number
+from results_csv import number, table
 from results_csv import rows_of as all_rows_of
 
 # Student's t, two-sided 95 %, by degrees of freedom.
@@ -48,11 +48,6 @@ def shown(values, digits):
     if n == 0:
         return "not run"
     return f"{mean:.{digits}f}" + (f" +- {half:.{digits}f}" if math.isfinite(half) else "")
-
-
-def table(head, rows):
-    text = "| " + " | ".join(head) + " |\n|" + "---|" * len(head) + "\n"
-    return text + "".join("| " + " | ".join(str(c) for c in row) + " |\n" for row in rows)
 
 
 def grouped(rows, *keys):

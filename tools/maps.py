@@ -9,6 +9,8 @@ import pathlib
 import statistics
 import sys
 
+from results_csv import table
+
 BEGIN, END = "<!-- tables of tools/maps.py -->", "<!-- end of tables -->"
 ANGLES = (0, 15, 30, 45, 60, 75, 90)
 DENSE = 1321
@@ -135,10 +137,6 @@ def layered_line(label, rows):
     return [label, f"{len(good)} of {len(rows)}", extent([E(r) for r in good]), extent([U(r) for r in good]),
             extent([U(r) for r in good if 1.3 <= E(r) <= 1.5]), extent([U(r) for r in good if 2.2 <= E(r) <= 2.8]), place,
             depth((30, 45)), depth((60,))] + [extent([r[f"UCS/sigma_c({a})"] / r[f"BTS/sigma_c({a})"] for r in good]) for a in (0, 45, 90)]
-
-
-def table(head, lines):
-    return "\n".join(["| " + " | ".join(head) + " |", "|---" * len(head) + "|"] + ["| " + " | ".join(line) + " |" for line in lines]) + "\n"
 
 
 def page_tables(data):

@@ -11,6 +11,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 COLUMNS = ["claim", "value", "unit", "interval", "n", "machine", "commit", "date", "command"]
 
 
+def rows_of(name):
+    with open(ROOT / "measured" / f"{name}.csv", encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
 def row(claim, value, unit="", interval="", n=""):
     return {"claim": claim, "value": str(value), "unit": unit, "interval": interval, "n": str(n)}
 
@@ -28,12 +33,10 @@ def commit():
 
 def add(name, rows, command):
     """Appends rows that were measured now. A value that is already the last one of its claim is not written again."""
-    path = ROOT / "measured" / f"{name}.csv"
-    with open(path, encoding="utf-8", newline="") as file:
-        last = {r["claim"]: r for r in csv.DictReader(file)}
+    last = {r["claim"]: r for r in rows_of(name)}
     now = {"machine": machine(), "commit": commit(), "date": datetime.date.today().isoformat(), "command": command}
     new = [{**r, **now} for r in rows]
     new = [r for r in new if any(r[k] != last.get(r["claim"], {}).get(k) for k in ("value", "unit", "interval", "n"))]
-    with open(path, "a", encoding="utf-8", newline="") as file:
+    with open(ROOT / "measured" / f"{name}.csv", "a", encoding="utf-8", newline="") as file:
         csv.DictWriter(file, COLUMNS, lineterminator="\n").writerows(new)
     return len(new)

@@ -16,6 +16,7 @@ import tomllib
 import zlib
 
 import measured
+from results_csv import table
 
 ANGLES = [0, 15, 30, 45, 60, 75, 90]
 PARAMETERS = [("bedding.k_n", "k_n"), ("bedding.k_s", "k_s"), ("bedding.mu", "mu"), ("bedding.sigma_n", "sigma_n"),
@@ -72,11 +73,6 @@ def line(x, y):
     rest = sum((b - cut - slope * a) ** 2 for a, b in zip(x, y))
     total = sum((b - my) ** 2 for b in y)
     return slope, cut, 1 - rest / total if n > 2 else math.nan
-
-
-def table(head, rows):
-    text = "| " + " | ".join(head) + " |\n|" + "---|" * len(head) + "\n"
-    return text + "".join("| " + " | ".join(str(c) for c in row) + " |\n" for row in rows)
 
 
 # --- what broke before half of the strength

@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 import measured
-from results_csv import rows_of
+from results_csv import rows_of, table
 
 HEAD = """# Errors of tests made bad on purpose
 
@@ -68,10 +68,6 @@ def summary(values):
         return "-"
     rms = math.sqrt(sum(v * v for v in values) / len(values))
     return f"{sum(values) / len(values):+.1f}, {rms:.1f}, {max(values, key=abs):+.0f} ({len(values)})"
-
-
-def table(head, rows):
-    return "| " + " | ".join(head) + " |\n|" + "---|" * len(head) + "\n" + "".join("| " + " | ".join(r) + " |\n" for r in rows)
 
 
 def bins_named(edges):

@@ -1,4 +1,4 @@
-"""results.csv of a study, as the pages of documents read it."""
+"""results.csv of a study, as the pages of documents read it, and the tables that they write."""
 import csv
 
 
@@ -16,3 +16,8 @@ def rows_of(folder):
         return []
     with open(path, newline="") as text:
         return [{k.split(" [")[0]: number(v) for k, v in row.items()} for row in csv.DictReader(text)]
+
+
+def table(head, rows):
+    text = "| " + " | ".join(head) + " |\n|" + "---|" * len(head) + "\n"
+    return text + "".join("| " + " | ".join(str(c) for c in row) + " |\n" for row in rows)

@@ -8,12 +8,11 @@ claim, value, unit, interval, n, machine, commit, date, command. The latest row 
 `<= 3 %`, `>= 8 of 10`, `88 - 100 %` or a word such as `equal`; whether it holds is computed here.
 """
 import csv
-import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-COLUMNS = ["claim", "value", "unit", "interval", "n", "machine", "commit", "date", "command"]
+from measured import COLUMNS, ROOT, rows_of
+
 HEAD = """# Status: goals and measurements
 
 Written by `tools/status.py` from the tables in `measured`. Each row links to its file, which has machine, date, command and every earlier value.
@@ -24,11 +23,6 @@ One run is not a measurement: other packings and bond seeds scatter by a few per
 **{n_met} of {n_goals} goals are met.** Rows without a goal are measurements that somebody may ask for.
 
 """
-
-
-def rows_of(name):
-    with open(ROOT / "measured" / f"{name}.csv", encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def number(text):

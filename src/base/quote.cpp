@@ -119,6 +119,12 @@ std::string sh_word(std::string_view text) {
   return word + "'";
 }
 
+std::string command_of(const std::vector<std::string>& words) {
+  std::string command = "phyllite";  // as it can be pasted into a shell
+  for (const std::string& word : words) command += " " + sh_word(word);
+  return command;
+}
+
 // A quote inside single quotes is not doubled: gnuplot 5.4 takes two of them in a row, or one at the front,
 // for the end of the string. It is joined from outside.
 std::string gnuplot_string(std::string_view text) {

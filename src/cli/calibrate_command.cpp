@@ -21,9 +21,7 @@ namespace {
 /// How to go on with what was stopped.
 std::string resume_command(jobs::CalibrationRequest args) {
   args.resume = true;
-  std::string command = "phyllite";
-  for (const std::string& word : jobs::command_line_of(args)) command += " " + sh_word(word);
-  return command;
+  return command_of(jobs::command_line_of(args));
 }
 
 /// What is known before anything runs.

@@ -58,9 +58,9 @@ void print_table(const std::vector<analysis::ComparedNumber>& numbers, int width
     if (!n.note.empty()) print_wrapped(width, 2, "{}: {}\n", n.name, n.note);
 }
 
-/// By the ending of --figure, before anything is read. Throws InputError.
 constexpr double column_width = 90.0;  // [mm] of a journal
 
+/// By the ending of --figure, before anything is read. Throws InputError.
 auto format_of(const CompareArguments& args) {
   const std::string ending = std::filesystem::path(args.figure).extension().string();
   const auto format = report::figure_formats().find(ending.empty() ? ending : ending.substr(1));

@@ -98,7 +98,7 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   ProgressLine line;
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     line.show([&](double) {
-      return fmt::format("{}/{} tests, time left: {:.1f} min", p.n_done, p.n_total, p.seconds_left / 60.0);
+      return fmt::format("{}/{} tests, time left: {}", p.n_done, p.n_total, jobs::time_left(p));
     });
   };
   std::vector<Recipe> recipes;

@@ -153,7 +153,7 @@ const std::vector<ManText>& texts() {
        "result is tested on packings that the fit has not seen. Each strength is predicted without its own "
        "value. A verdict says whether the table is met, except for what, or why not. It takes minutes to "
        "hours: "
-       "`phyllite rock check` foretells the end in a second.\n\n"
+       "`phyllite rock check` forecasts the end in a second.\n\n"
        "An interrupted calibration goes on with --resume. Exit status 1 says that the rock is out of reach "
        "of the "
        "model, or that the calibration was stopped.",

@@ -1,5 +1,4 @@
 #include "cli/progress.hpp"
-#include "base/quote.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,6 +6,7 @@
 #include <algorithm>
 
 #include "base/clock.hpp"
+#include "base/quote.hpp"
 #include "cli/terminal.hpp"
 
 namespace phy::cli {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
 
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
@@ -10,12 +9,11 @@
 #include "cli/terminal.hpp"
 #include "io/output.hpp"
 #include "jobs/report.hpp"
+#include "jobs/run_folder.hpp"
 #include "rock/file.hpp"
 
 namespace phy::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct ReportArguments {
   std::string result, rock, out;
@@ -25,7 +23,7 @@ struct ReportArguments {
 int report(const ReportArguments& args) {
   auto [run, extras] = jobs::read_report(args.result);
   if (!args.rock.empty()) extras.laboratory = targets_of(rock::read_rock(args.rock));
-  const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
+  const std::string out = args.out.empty() ? jobs::page_of(args.result) : args.out;
   io::check_ending(out, {".html", ".htm"});
   io::check_outputs({out});
   const auto start = std::chrono::steady_clock::now();

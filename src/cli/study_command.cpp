@@ -308,8 +308,8 @@ void add_study_options(CLI::App& study, StudyArguments& args) {
   CLI::Option* shard =
       study.add_option("--shard", args.shard, "run part i of n only, i/n, into a store of its own");
   CLI::Option* mpi = study.add_flag("--mpi", args.mpi, "work on all ranks of mpirun; rank 0 keeps the store");
-  CLI::Option* dry_run =
-      study.add_flag("--dry-run", args.dry_run, "tell the number of runs and the expected time, run nothing");
+  CLI::Option* dry_run = study.add_flag("--dry-run", args.dry_run,
+                                        "print the number of runs and the expected time, run nothing");
   study.add_option("--slurm", args.slurm, "print a job script that runs the study in N parts")
       ->check(CLI::Range(1, most_parts))
       ->excludes(shard)

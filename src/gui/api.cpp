@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/embedded.hpp"
+#include "base/quote.hpp"
 #include "gui/options.hpp"
 #include "gui/project.hpp"
 #include "gui/recipes.hpp"
@@ -41,6 +42,10 @@ Response json(const Json& j, int status = 200) {
 }
 
 Response error(int status, const std::string& text) { return json({{"error", text}}, status); }
+
+std::optional<std::string> text_or_null(const Json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<std::string>());
+}
 
 /// The value of a key of what was asked; `otherwise` where it is absent or null.
 template <class T>
@@ -144,8 +149,7 @@ void check_home() {
   if (gone)
     throw IoError(
         "The folder of `phyllite gui` is no longer there. End the program with Ctrl-C, and start it in a "
-        "folder "
-        "that is.");
+        "folder that is.");
 }
 
 Json choices_of(const char* key) { return find_field(rock::rock_schema().fields, key)->choices; }
@@ -169,27 +173,25 @@ Response Api::answer(const Request& request) {
 }
 
 Response Api::route(const Request& request) {
-  const bool get = request.method == "GET";
-  if (get && request.path == "/")
+  const bool reads = request.method == "GET";
+  if (reads && request.path == "/")
     return {200, "text/html; charset=utf-8", std::string(embedded("web/gui.html"))};
   check_home();
-  if (get && request.path.starts_with("/files/")) {
+  if (reads && request.path.starts_with("/files/")) {
     const auto file = served_file(request.path.substr(7));
     if (!file) return error(404, "no such file in the folder of `phyllite gui`");
     return {200, content_type(*file), "", std::make_shared<io::InputFile>(*file)};
   }
-  if (get && request.path == "/api/project") return json(project());
-  if (get && request.path == "/api/rock") {
+  if (reads && request.path == "/api/project") return json(project());
+  if (reads && request.path == "/api/rock") {
     const auto name = request.query.find("name");
     return json(rock(name == request.query.end() ? "" : name->second));
   }
-  if (get) return error(404, "no such address");
+  if (reads) return error(404, "no such address");
   const Json asked = asked_in(request.body);
   if (request.path == "/api/check") {
     check_name(asked.at("name").get<std::string>());
-    const auto table = gui::get<std::string>(asked, "table", "");
-    return json(check_answer(asked.at("name"), asked.at("toml"),
-                             asked.at("table").is_null() ? std::nullopt : std::optional(table)));
+    return json(check_answer(asked.at("name"), asked.at("toml"), text_or_null(asked.at("table"))));
   }
   if (request.path == "/api/recipe") {
     const std::string name = asked.at("name");
@@ -331,12 +333,10 @@ Json Api::test(const std::string& rock, const std::string& name) {
 
 Json Api::save(const Json& asked) {
   const std::string name = asked.at("name"), toml = asked.at("toml");
-  const Json& table = asked.at("table");
-  const std::string stamp =
-      save_rock(name, toml, table.is_null() ? std::nullopt : std::optional(table.get<std::string>()),
-                asked.at("stamp"));
+  const std::optional<std::string> table = text_or_null(asked.at("table"));
+  const std::string stamp = save_rock(name, toml, table, asked.at("stamp"));
   Json files = {name + ".toml"};
-  if (!table.is_null()) files.push_back(table_named_in(toml, ""));
+  if (table) files.push_back(table_named_in(toml, ""));
   return {{"stamp", stamp}, {"files", std::move(files)}};
 }
 
@@ -380,18 +380,17 @@ Json Api::calibrate(const Json& asked) {
   if (work_in(now).process != 0)
     throw InputError(Problem{"", now, "", "one calibration of a rock at a time", "stop the other first"});
   const auto earlier = jobs::request_in(now);
-  const bool resume = earlier && gui::get(asked, "resume", false);
-  jobs::CalibrationRequest request =
-      resume ? *earlier : request_from(gui::get(asked, "options", Json::object()));
+  const bool resume = earlier && get(asked, "resume", false);
+  jobs::CalibrationRequest request = resume ? *earlier : request_from(get(asked, "options", Json::object()));
   request.resume = resume;
   request.rock = name + ".toml";
-  request.out = gui::get(asked, "anew", false) ? next_calibration_of(name) : now;
+  request.out = get(asked, "anew", false) ? next_calibration_of(name) : now;
   check_inside(request.out);
   return start(jobs::command_line_of(request), request.out);
 }
 
 Json Api::stop(const Json& asked) {
-  const std::string name = asked.at("name"), test = gui::get<std::string>(asked, "test", "");
+  const std::string name = asked.at("name"), test = get<std::string>(asked, "test", "");
   check_name(name);
   if (!test.empty()) check_name(test);
   const std::string folder = test.empty() ? calibration_of(name) : path_in(tests_of(name), test);
@@ -409,8 +408,8 @@ Json Api::run_test(const Json& asked) {
   const std::string rock = asked.at("name"), name = asked.at("test");
   check_name(rock), check_name(name);
   const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
-  const std::string toml = asked.at("toml").is_null() ? io::read_file(recipe, largest_document)
-                                                      : asked.at("toml").get<std::string>();
+  const auto typed = text_or_null(asked.at("toml"));
+  const std::string toml = typed ? *typed : io::read_file(recipe, largest_document);
   if (work_in(folder).process != 0 || (exists(recipe) && io::read_if_file(recipe) != toml))
     throw InputError(Problem{"", "name", name, "a name that is free", "a test of this name is there"});
   // throws: a recipe that cannot run, or lacks what its test keeps, takes no name

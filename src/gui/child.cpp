@@ -56,12 +56,6 @@ class Attributes {
 
 }  // namespace
 
-std::string command_of(const std::vector<std::string>& words) {
-  std::string command = "phyllite";
-  for (const std::string& word : words) command += " " + sh_word(word);
-  return command;
-}
-
 Child::Child(const std::vector<std::string>& words, const std::string& log) {
   io::write_file(log, "$ " + command_of(words) + "\n");
   std::vector<std::string> arguments = {"phyllite"};

@@ -9,9 +9,6 @@
 
 namespace phy::gui {
 
-/// "phyllite calibrate 'my rock.toml'"
-std::string command_of(const std::vector<std::string>& words);
-
 /// How a process is asked to end: first as by Ctrl-C on a terminal, which keeps what is finished; by force if
 /// it is still there a while later.
 class Ending {

@@ -172,6 +172,15 @@ int last_calibration(const std::string& rock) {
   return last;
 }
 
+/// A path from this folder, links followed; nothing: it leads out, or cannot be found.
+std::optional<fs::path> below_home(const fs::path& path) {
+  std::error_code gone, error;
+  const fs::path home = fs::canonical(".", gone), place = fs::weakly_canonical(home / path, error);
+  const fs::path below = place.lexically_relative(home);
+  if (gone || error || below.empty() || *below.begin() == "..") return {};
+  return below;
+}
+
 }  // namespace
 
 std::string calibration_of(const std::string& rock) {
@@ -182,10 +191,7 @@ std::string next_calibration_of(const std::string& rock) {
 }
 
 void check_inside(const std::string& path) {
-  std::error_code error;
-  const fs::path home = fs::canonical("."), place = fs::weakly_canonical(home / path, error);
-  const auto end_of_home = std::mismatch(home.begin(), home.end(), place.begin(), place.end()).first;
-  if (error || end_of_home != home.end())
+  if (!below_home(path))
     throw InputError(Problem{"", path, "", "a place in this folder", "a link leads out of it"});
 }
 
@@ -206,14 +212,11 @@ std::optional<std::string> served_file(const std::string& path) {
   for (const fs::path& part : asked)
     if (part.empty() || part.string().starts_with('.') || part.string().find('\\') != std::string::npos)
       return {};
-  const fs::path home = fs::canonical(".", error);
-  if (error) return {};
-  const fs::path file = fs::canonical(asked, error);
-  if (error || !fs::is_regular_file(file, error)) return {};
-  const auto [end_of_home, rest] = std::mismatch(home.begin(), home.end(), file.begin(), file.end());
+  const auto file = below_home(asked);
+  if (!file || !fs::is_regular_file(*file, error)) return {};
   const auto is_hidden = [](const fs::path& part) { return part.string().starts_with('.'); };
-  if (end_of_home != home.end() || std::any_of(rest, file.end(), is_hidden)) return {};
-  return file.string();
+  if (std::any_of(file->begin(), file->end(), is_hidden)) return {};
+  return file->string();
 }
 
 std::string content_type(const std::string& path) {

@@ -15,7 +15,7 @@ namespace phy::io {
 /// What a kind of file may hold.
 struct Schema {
   std::string name;                          ///< "recipe"
-  std::string verb;                          ///< `phyllite VERB --reference` lists its keys
+  std::string verb;                          ///< `phyllite VERB --reference` lists its keys; empty: none does
   const Fields& fields;                      ///< the one list
   std::map<std::string, std::size_t> lists;  ///< tables that are lists of tables, and at most how many
   std::string of_recipe;                     ///< what to do with a key of the recipe that stands here

@@ -62,8 +62,9 @@ std::string unknown_key_hint(const Schema& schema, const std::string& word, cons
   if (foreign.field != nullptr) return foreign_word_hint(schema, foreign, word, table, value);
   if (!foreign.instead.empty()) return foreign.instead;
   const std::string near = nearest(word, known);
-  return near.empty() ? "`phyllite " + schema.verb + " --reference` lists all keys"
-                      : "did you mean \"" + near + "\"?";
+  if (!near.empty()) return "did you mean \"" + near + "\"?";
+  return schema.verb.empty() ? "another version may have written it"
+                             : "`phyllite " + schema.verb + " --reference` lists all keys";
 }
 
 }  // namespace phy::io

@@ -16,11 +16,8 @@
 #include "io/output.hpp"
 
 namespace phy::io {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 void check_place(const std::string& folder, const std::string& mark, const std::string& kind) {
   std::error_code none;

@@ -144,7 +144,7 @@ Recipe recipe_of_tree(TomlValue root, const std::string& where, std::vector<Prob
   Document file(std::move(root), where, recipe_schema(), std::move(problems));
   Recipe recipe;
   if (empty)
-    file.notes.push_back("the file says nothing: this is the paper's intact specimen, of " +
+    file.notes.push_back("nothing is stated: this is the paper's intact specimen, of " +
                          std::to_string(recipe.packing.n_grains) +
                          " discs; `phyllite recipe --template` begins a recipe");
   // A set of defaults for each [[bedding]] table.

@@ -18,6 +18,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/another_recipe.hpp"
 #include "jobs/run_folder.hpp"
+#include "jobs/study_folder.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/specimen_record.hpp"
 #include "report/calibration_files.hpp"
@@ -71,14 +72,11 @@ std::string hash_of_model(const Evidence& evidence) {
 
 std::string path_of_request(const std::string& folder) { return (fs::path(folder) / request_file).string(); }
 
+/// Throws InputError with the line where it is damaged.
 std::optional<KeptRequest> kept_in(const std::string& folder) {
   const std::string file = path_of_request(folder);
-  try {
-    const auto text = io::read_if_file(file, largest_document);
-    return text ? std::optional(read_kept(*text, file)) : std::nullopt;
-  } catch (const InputError&) {
-    return {};
-  }
+  const auto text = io::read_if_file(file, largest_document);
+  return text ? std::optional(read_kept(*text, file)) : std::nullopt;
 }
 
 /// Throws InputError where `wanted` would be written over another calibration.
@@ -88,15 +86,13 @@ void check_same(const KeptRequest& wanted) {
   const auto refuse = [&](const std::string& expected) {
     throw InputError(option_problem("out", folder, expected, afresh));
   };
-  const std::string file = path_of_request(folder);
-  const auto text = io::read_if_file(file, largest_document);
-  if (!text) refuse(fmt::format("a folder that this version of phyllite began: it has no {}", request_file));
-  const KeptRequest begun = read_kept(*text, file);  // a damaged file is refused with its line
-  if (const auto problems = differences(wanted.request, begun.request); !problems.empty())
+  const auto begun = kept_in(folder);
+  if (!begun) refuse(fmt::format("a folder that this version of phyllite began: it has no {}", request_file));
+  if (const auto problems = differences(wanted.request, begun->request); !problems.empty())
     throw InputError(problems);
-  const std::string of = fmt::format("; it is of \"{}\" ({})", begun.name, begun.request.rock);
-  if (wanted.table != begun.table) refuse("a folder begun with this table" + of);
-  if (wanted.model != begun.model) refuse("a folder begun with this recipe and rock file" + of);
+  const std::string of = fmt::format("; it is of \"{}\" ({})", begun->name, begun->request.rock);
+  if (wanted.table != begun->table) refuse("a folder begun with this table, read in the same way" + of);
+  if (wanted.model != begun->model) refuse("a folder begun with this recipe and rock file" + of);
 }
 
 /// All that is written beside the store.
@@ -120,10 +116,14 @@ std::string tables_of(const Calibration& c) {
 }  // namespace
 
 std::optional<CalibrationRequest> request_in(const std::string& folder) {
-  auto kept = kept_in(folder);
-  if (!kept) return {};
-  kept->request.out = folder;
-  return kept->request;
+  try {
+    auto kept = kept_in(folder);
+    if (!kept) return {};
+    kept->request.out = folder;
+    return kept->request;
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 Rock with_matrix(Rock rock, const CalibrationRequest& request) {
@@ -226,13 +226,14 @@ void write_calibration(const std::string& folder, const Calibration& c) {
   io::write_output((out / "tables.txt").string(), tables_of(c));
 }
 
+std::string time_left(const calibrate::TestProgress& p) {
+  if (p.seconds_left > 0.0) return duration(p.seconds_left);
+  return p.n_done > 0 ? "later than estimated" : "not yet known";
+}
+
 std::string progress_text(const calibrate::TestProgress& p) {
-  const std::string left = p.seconds_left > 90.0  ? fmt::format("{:.0f} min", p.seconds_left / 60.0)
-                           : p.seconds_left > 0.0 ? fmt::format("{:.0f} s", p.seconds_left)
-                           : p.n_done > 0         ? "later than estimated"
-                                                  : "not yet known";
   return fmt::format("{}/{} tests of this batch, time left for the calibration: {}", p.n_done, p.n_total,
-                     left);
+                     time_left(p));
 }
 
 }  // namespace phy::jobs

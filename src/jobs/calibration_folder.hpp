@@ -60,6 +60,8 @@ class SpecimenFolder : public calibrate::SpecimenSink {
 /// What a screen shows: the verdict first, parameters before comparisons.
 std::string screen_of(const Calibration& calibration, int width);
 
+/// "12 min", or why nobody can say.
+std::string time_left(const calibrate::TestProgress& progress);
 /// How far the tests have come.
 std::string progress_text(const calibrate::TestProgress& progress);
 

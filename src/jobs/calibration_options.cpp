@@ -29,7 +29,7 @@ const io::Schema& request_schema() {
     for (const CalibrationOption& o : calibration_options()) all.push_back(o.field());
     return all;
   }();
-  static const io::Schema schema{"request of a calibration", "calibrate", fields, {}, ""};
+  static const io::Schema schema{"request of a calibration", "", fields, {}, ""};
   return schema;
 }
 

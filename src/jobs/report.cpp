@@ -69,7 +69,7 @@ FolderReport read_report(const std::string& folder) {
 
 void write_report(const std::string& folder) {
   const FolderReport r = read_report(folder);
-  io::write_output((fs::path(folder) / "report.html").string(), report::report_page(r.run, r.extras));
+  io::write_output(page_of(folder), report::report_page(r.run, r.extras));
 }
 
 }  // namespace phy::jobs

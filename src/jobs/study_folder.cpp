@@ -30,13 +30,11 @@ std::string in(const std::string& folder, const std::string& name) {
 }  // namespace
 
 std::string store_file(const std::string& folder, const study::Shard& shard) {
-  return (fs::path(folder) /
-          (shard.n == 1 ? "study.sqlite" : fmt::format("shard-{}-of-{}.sqlite", shard.i, shard.n)))
-      .string();
+  return in(folder, shard.n == 1 ? "study.sqlite" : fmt::format("shard-{}-of-{}.sqlite", shard.i, shard.n));
 }
 
 study::Study study_in(const std::string& folder) {
-  const std::string file = (fs::path(folder) / "study.toml").string();
+  const std::string file = in(folder, "study.toml");
   if (!fs::exists(file))
     throw IoError(folder + ": is no folder of a study (no study.toml); name the --out of `phyllite study`");
   return study::read_study(file);

@@ -34,8 +34,7 @@ TomlValue of_kind(Kind kind, double number, std::string text = "") {
 
 [[noreturn]] void refuse(const py::handle& value, const std::string& path, const std::string& where,
                          const char* expected) {
-  throw InputError(
-      Problem{where, path, py::repr(value).cast<std::string>(), expected, "quantities carry their unit"});
+  throw InputError(Problem{where, path, py::repr(value).cast<std::string>(), expected, ""});
 }
 
 TomlValue list_of(const py::handle& values, const std::string& path, const std::string& where) {
@@ -79,7 +78,7 @@ TomlValue value_of(const py::handle& value, const std::string& path, const std::
     return of_kind(Kind::integer, py::float_(value.attr("__index__")()), py::str(value).cast<std::string>());
   if (py::isinstance<py::float_>(value)) return of_kind(Kind::number, value.cast<double>());
   if (py::hasattr(value, "__fspath__")) return value_of(value.attr("__fspath__")(), path, where);
-  refuse(value, path, where, "text, a number, a switch, a list or a dict");
+  refuse(value, path, where, "text (a quantity with its unit), a number, a switch, a list or a dict");
 }
 
 /// `more` over `keys`: tables key by key, lists of tables of one length table by table.

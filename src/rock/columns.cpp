@@ -311,8 +311,7 @@ bool holds_values(const Head& h) { return h.kind == Column::value || h.kind == C
 }  // namespace
 
 Dimension dimension_of(const Head& h) {
-  if (h.kind == Column::theta || h.kind == Column::beta || h.kind == Column::friction)
-    return Dimension::angle;
+  if (h.is_angle() || h.kind == Column::friction) return Dimension::angle;
   if (h.kind == Column::diameter) return Dimension::length;
   if (h.kind == Column::n) return Dimension::none;
   return holds_values(h) ? measured(h.property).dimension : Dimension::pressure;

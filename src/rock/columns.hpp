@@ -25,6 +25,9 @@ struct Head {
   Subjects speaks_of;                  ///< a name that is not understood
   std::optional<ModulusReading> E_is;  ///< what the header says of E
 
+  bool is_angle() const { return kind == Column::theta || kind == Column::beta; }
+  /// Of an angle of this column, in degrees; and back.
+  double theta_of(double angle) const { return kind == Column::theta ? angle : 90.0 - angle; }
   /// For messages: the title, with our name where it is another.
   std::string shown() const {
     return own || kind == Column::other ? title : title + " (read as " + name + ")";

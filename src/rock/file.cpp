@@ -525,9 +525,7 @@ class RockReader {
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
     }
     if (rock_.readings.empty())
-      problems_.push_back({where, "", "", "at least one value",
-                           is_given("confining") ? "no row has this confining pressure"
-                                                 : "all cells are empty: fill in the table"});
+      problems_.push_back({where, "", "", "at least one value", "all cells are empty: fill in the table"});
     else if (rock_.bedded && angles.size() < least_angles)
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock", "test 0, 45 and 90 degrees"});

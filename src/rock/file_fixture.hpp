@@ -1,5 +1,8 @@
 // For tests of rock files: one with its table in a folder of its own.
 #pragma once
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include <string>
 #include <vector>
 
@@ -7,6 +10,15 @@
 #include "rock/file.hpp"
 
 namespace phy::rock {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
 
 class RockFile : public InFolder {
  protected:

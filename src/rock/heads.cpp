@@ -36,6 +36,14 @@ std::string quoted(const std::vector<std::string>& texts) {
   return all;
 }
 
+/// Headers with what the rock file would say of each: "A" = "-", "B" = "-".
+std::string said_as(const std::string& name, const std::vector<std::string>& headers) {
+  std::string all;
+  for (const std::string& header : headers)
+    all += (all.empty() ? "" : ", ") + toml_string(header) + " = \"" + name + '"';
+  return all;
+}
+
 class HeadsReader {
  public:
   HeadsReader(io::Table& table, const TableKeys& keys, std::vector<Problem>& problems,
@@ -201,8 +209,7 @@ class HeadsReader {
   void take_degree_signs() {
     for (std::size_t i = 0; i < heads_.all.size(); ++i) {
       Head& h = heads_.all[i];
-      const bool angle = h.kind == Column::theta || h.kind == Column::beta;
-      if (!angle || !h.unit.empty()) continue;
+      if (!h.is_angle() || !h.unit.empty()) continue;
       if (!any_cell(i, is_number) && any_cell(i, [&](const auto& cell) { return is_direction(cell, i); }))
         h.unit = "deg";
     }
@@ -309,10 +316,8 @@ class HeadsReader {
   }
   /// All unknown columns in one question.
   void ask_for_names() {
-    std::string lines;
     bool factor = false, direction = false;
     for (const std::string& name : unknown_) {
-      lines += (lines.empty() ? "" : ", ") + toml_string(name) + " = \"...\"";
       factor = factor || has_factor(title_of(name));
       direction = direction || title_of(name).ends_with("°") || direction_in_words(name, "");
     }
@@ -322,8 +327,8 @@ class HeadsReader {
     report_problem(
         quoted(unknown_), "",
         fmt::format("a known column: {}; of each value also _sd", fmt::join(names_in_short(), ", ")),
-        fmt::format("write in the rock file what each is, or \"-\" to leave it out: [columns] {}{}", lines,
-                    more));
+        fmt::format("write in the rock file what each is, or \"-\" to leave it out: [columns] {}{}",
+                    said_as("...", unknown_), more));
   }
   static std::vector<std::string> names_in_short() {
     std::vector<std::string> names = column_names();
@@ -365,7 +370,7 @@ class HeadsReader {
     if (!needs_angles() || !any_cell(i, is_angle)) return false;
     return h.speaks_of.directions || (!all_cells(i, is_number) && all_cells(i, is_angle));
   }
-  bool needs_angles() const { return !heads_.has_angles() && keys_.bedded != false; }
+  bool needs_angles() const { return !heads_.angles() && keys_.bedded != false; }
   /// What an angle would be called in the rock file: the header, with the unit of bare numbers.
   std::string angle_key(std::size_t i) const {
     const bool bare = heads_.all[i].unit.empty() && any_cell(i, is_number);
@@ -379,7 +384,7 @@ class HeadsReader {
   }
   void ask_for_angle(std::size_t i) {
     heads_.asked_for_angles = true;
-    if (heads_.has_angles())
+    if (heads_.angles())
       return report_problem(
           header(i), "", "one column of angles",
           fmt::format("the angles of the layers are read from another; leave this one out: [columns] {} = "
@@ -404,15 +409,12 @@ class HeadsReader {
   void ask_for_layers() {
     if (heads_.asked_for_angles || describe_layers_.empty()) return;
     heads_.asked_for_angles = true;
-    std::string lines;
-    for (const std::string& name : describe_layers_)
-      lines += (lines.empty() ? "" : ", ") + toml_string(name) + " = \"-\"";
     report_problem(
         quoted(describe_layers_), "", "an angle that says from where it counts",
         fmt::format(
             "if it says how the layers lie, add a column theta [deg]: 90 where the load is along them, 0 "
             "where it is across them; if not, write in the rock file: [columns] {}",
-            lines));
+            said_as("-", describe_layers_)));
   }
   /// What the words of a column would count as.
   std::string meaning_of_words(std::size_t i) const {
@@ -427,13 +429,14 @@ class HeadsReader {
 
   void check_second(std::size_t i, std::size_t first) {
     const Head &a = heads_.all[first], &b = heads_.all[i];
-    const std::string remedy = a.title != b.title ? fmt::format(
-                                                        "{} is read as that too: the rock file chooses, "
-                                                        "[columns] \"{}\" = \"{}\" and \"{}\" = \"-\"; "
-                                                        "of specimens side by side both are \"{}\"",
-                                                        header(first), b.title, b.name, a.title, b.name)
-                               : a.unit != b.unit ? "its units are mixed: " + a.unit + " and " + b.unit
-                                                  : "two headers are the same: rename one";
+    const std::string remedy =
+        a.title != b.title ? fmt::format(
+                                 "{} is read as that too: the rock file chooses, "
+                                 "[columns] {} = \"{}\" and {} = \"-\"; "
+                                 "of specimens side by side both are \"{}\"",
+                                 header(first), toml_string(b.title), b.name, toml_string(a.title), b.name)
+        : a.unit != b.unit ? "its units are mixed: " + a.unit + " and " + b.unit
+                           : "two headers are the same: rename one";
     report_problem(header(i), "", "one column of " + b.name, remedy);
   }
 
@@ -456,10 +459,7 @@ class HeadsReader {
     }
   }
   /// A column of "parallel" and "perpendicular" needs no unit.
-  bool speaks_in_words(std::size_t i) const {
-    const Head& h = heads_.all[i];
-    return (h.kind == Column::theta || h.kind == Column::beta) && cells_of(i).empty();
-  }
+  bool speaks_in_words(std::size_t i) const { return heads_.all[i].is_angle() && cells_of(i).empty(); }
   static std::string otherwise(const Head& h) {
     return fmt::format("; if it is something else: [columns] {} = \"-\" in the rock file",
                        toml_string(h.title));
@@ -489,8 +489,8 @@ class HeadsReader {
     };
     if (named("sigma_1") != all.end() && named("deviator") != all.end())
       report_problem("deviator", "", "sigma_1 or the deviator stress",
-                     "pass one of the two over in the rock file: [columns] \"" + named("deviator")->title +
-                         "\" = \"-\"");
+                     "pass one of the two over in the rock file: [columns] " +
+                         toml_string(named("deviator")->title) + " = \"-\"");
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i].kind == Column::scatter && !heads_.find(Column::value, all[i].property))
         report_problem(header(i), "", "a column of the values themselves", "");
@@ -512,15 +512,14 @@ class HeadsReader {
     const auto n = std::count_if(std::begin(columns), std::end(columns),
                                  [&](Column c) { return heads_.find(c).has_value(); });
     if (n == 0 || n == 4) return;
-    std::string lines;
+    std::vector<std::string> given;
     for (const Column c : columns)
-      if (const auto i = heads_.find(c))
-        lines += (lines.empty() ? "" : ", ") + toml_string(header(*i)) + " = \"-\"";
+      if (const auto i = heads_.find(c)) given.push_back(header(*i));
     report_problem(
         "c, phi", "", "the columns c, phi, confining_min and confining_max together",
         "an envelope is read as strengths, and only inside the pressures that were tested; to do without: "
         "[columns] " +
-            lines);
+            said_as("-", given));
   }
 
   void tell() {
@@ -532,7 +531,7 @@ class HeadsReader {
       notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
     note("columns by other names: {} ([columns] in the rock file changes that)", named_);
     for (std::size_t i = 0; i < heads_.all.size(); ++i)
-      if (heads_.all[i].kind == Column::theta || heads_.all[i].kind == Column::beta)
+      if (heads_.all[i].is_angle())
         if (const std::string words = meaning_of_words(i); !words.empty() && keys_.bedded != false)
           notes_.push_back("directions: " + words);
     note("specimens side by side: {}", replicates_);

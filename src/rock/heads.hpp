@@ -29,7 +29,11 @@ struct Heads {
 
   /// The first column of a kind; of values and scatter, of this property.
   std::optional<std::size_t> find(Column kind, Property p = Property::E) const;
-  bool has_angles() const { return find(Column::theta) || find(Column::beta); }
+  /// The column that says how the layers lie.
+  std::optional<std::size_t> angles() const {
+    const auto theta = find(Column::theta);
+    return theta ? theta : find(Column::beta);
+  }
 };
 
 /// Reads the header of `table`, and takes a row of units below it out of the rows. Appends to `problems` what

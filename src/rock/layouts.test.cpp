@@ -1,22 +1,11 @@
 // Tables in the layouts of laboratories: directions in words, units of all kinds, specimens side by side.
 // Every column that may hold a direction or a strength is read or asked for.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "io/table_cells.hpp"
 #include "rock/file_fixture.hpp"
 #include "rock/table.hpp"
 
 namespace phy::rock {
 namespace {
-
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::SizeIs;
 
 std::vector<double> values(const Rock& rock, Property property) {
   std::vector<double> all;

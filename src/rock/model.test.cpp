@@ -1,17 +1,8 @@
 // The model of a rock file: what its recipe may hold, what the file says of layers, matrix and size.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "rock/file_fixture.hpp"
 
 namespace phy::rock {
 namespace {
-
-using testing::AllOf;
-using testing::Contains;
-using testing::Each;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 TEST_F(RockFile, ARecipeWithAPackingFromAFileIsRefused) {
   write("discs.csv", "x [m],y [m],r [m]\n0.002,0.002,0.002\n0.006,0.002,0.002\n");

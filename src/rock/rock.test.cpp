@@ -1,7 +1,4 @@
 // Rock files: what is read, what is told, and that everything wrong is told at once with its line.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "base/in_folder_fixture.hpp"
@@ -15,13 +12,6 @@
 
 namespace phy::rock {
 namespace {
-
-using testing::AllOf;
-using testing::Contains;
-using testing::Each;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 TEST_F(RockFile, DiscsHaveADiameterPerRowOrOneForAll) {
   const Rock r = rock("theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,9,30\n45,60,8,\n90,120,5,20\n",

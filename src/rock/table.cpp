@@ -95,11 +95,10 @@ class ReadingReader {
     if (n_assumed_ > 0)
       notes_.push_back(
           fmt::format("{} of {} values have an SD but no number of specimens (column n), or 1: they count as "
-                      "means of {}, "
-                      "the fewest that have one",
+                      "means of {}",
                       n_assumed_, readings_.size(), least_with_sd));
     Readings made{std::move(readings_),
-                  heads_.has_angles(),
+                  heads_.angles().has_value(),
                   heads_.find(Column::beta).has_value(),
                   heads_.asked_for_angles,
                   {},
@@ -139,7 +138,7 @@ class ReadingReader {
   /// One cell in SI units; NaN if it is empty. False: a problem has been reported.
   bool number(const io::TableRow& row, std::size_t column, double& value) {
     const Head& h = heads_.all[column];
-    const bool angle = h.kind == Column::theta || h.kind == Column::beta;
+    const bool angle = h.is_angle();
     value = nan;
     if (row.cells[column].empty() || row.cells[column] == "-") return true;
     if (row.merged.contains(column) && !angle && h.kind != Column::confining) {
@@ -148,7 +147,7 @@ class ReadingReader {
     }
     if (angle)
       if (const auto theta = direction_in_words(row.cells[column], table_.header[column]))
-        return value = h.kind == Column::theta ? *theta : 90.0 - *theta, true;
+        return value = h.theta_of(*theta), true;
     const std::string cell = angle && h.unit == "deg"
                                  ? without_degree_sign(row.cells[column]).value_or(row.cells[column])
                                  : row.cells[column];
@@ -177,10 +176,9 @@ class ReadingReader {
     const Range range = range_of(h);
     const bool whole = h.kind != Column::n || value == std::floor(value);
     if (value >= range.low && value <= range.high && whole) return true;
-    const bool angle = h.kind == Column::theta || h.kind == Column::beta;
     const bool strength = h.kind == Column::value && is_strength(h.property);
     problems_.push_back({at(line), h.shown(), cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
-                         angle ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
+                         h.is_angle() ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
                          : strength && value < 0.0       ? "strengths are positive, those in tension too"
                          : h.unit.empty() || value < 0.0 ? ""
                                                          : "check the unit in the header"});
@@ -244,12 +242,12 @@ class ReadingReader {
     read_envelope(r, v);
   }
   bool read_angle(RockReading& r, const std::vector<double>& v, bool good) {
-    const auto theta = find(Column::theta), beta = find(Column::beta);
-    if (!theta && !beta) return good;
-    const double angle = v[theta ? *theta : *beta];
-    r.theta = theta ? angle : 90.0 - angle;
-    if (!good || std::isfinite(angle)) return good;
-    problems_.push_back({at(r.line), theta ? "theta" : "beta", "", "an angle in every row",
+    const auto column = heads_.angles();
+    if (!column) return good;
+    const Head& h = heads_.all[*column];
+    r.theta = h.theta_of(v[*column]);
+    if (!good || std::isfinite(r.theta)) return good;
+    problems_.push_back({at(r.line), h.name, "", "an angle in every row",
                          "give the layers of this specimen an angle, that of the row above again where it is "
                          "the same; a row without any goes "
                          "out of the table, or behind a # at its beginning"});
@@ -288,18 +286,18 @@ class ReadingReader {
   }
   /// Angles that are told in degrees and can only be radians.
   void check_angles() {
-    const auto column = heads_.find(Column::theta) ? heads_.find(Column::theta) : heads_.find(Column::beta);
+    const auto column = heads_.angles();
     if (!column || heads_.all[*column].unit != "deg") return;
+    const Head& h = heads_.all[*column];
     double least = nan, most = nan;
     for (const RockReading& r : readings_) {
-      const double angle = heads_.all[*column].kind == Column::theta ? r.theta : 90.0 - r.theta;
+      const double angle = h.theta_of(r.theta);
       least = std::fmin(least, angle), most = std::fmax(most, angle);
     }
     if (!(most > 0.0 && most < most_radians)) return;
-    problems_.push_back({at(table_.header_line), table_.header[*column],
-                         fmt::format("{:g} ... {:g} deg", least, most), "",
-                         "all angles lie below 1.6 degrees. Are they radians? Then the header is " +
-                             heads_.all[*column].name + " [rad]"});
+    problems_.push_back(
+        {at(table_.header_line), table_.header[*column], fmt::format("{:g} ... {:g} deg", least, most), "",
+         "all angles lie below 1.6 degrees. Are they radians? Then the header is " + h.name + " [rad]"});
   }
 
   /// c and phi become two strengths. The line is one through `n` tests evenly spread over the pressures: at

@@ -1,18 +1,10 @@
 // Tables as laboratories have them: what columns are taken for, and what is asked for.
 #include "rock/table.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "rock/file_fixture.hpp"
 
 namespace phy::rock {
 namespace {
-
-using testing::AllOf;
-using testing::Contains;
-using testing::HasSubstr;
-using testing::SizeIs;
 
 TEST_F(RockFile, NamesOfLaboratoriesAreReadAndTold) {
   const Rock r = rock(

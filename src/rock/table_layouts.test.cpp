@@ -1,9 +1,6 @@
 // Layouts of tables that laboratories, instruments and other programs write.
 #include "io/table.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "io/ags.hpp"
 #include "io/table_cells.hpp"
 #include "io/table_layout.hpp"
@@ -16,13 +13,6 @@ using io::is_ags;
 using io::parse_table;
 using io::plain_cell;
 using io::Table;
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::SizeIs;
 
 Table table_of(const std::string& text, const std::string& sheet = "") {
   return parse_table(text, "t.csv", sheet);

@@ -1,19 +1,8 @@
 // K_Ic in a table, and the size of the model's grains that goes with it.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "rock/file_fixture.hpp"
 
 namespace phy::rock {
 namespace {
-
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::SizeIs;
 
 const std::string table =
     "theta [deg],UCS [MPa],K_Ic [MPa m^0.5],K_Ic_sd [MPa m^0.5],diameter [mm]\n"

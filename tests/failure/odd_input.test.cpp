@@ -54,7 +54,7 @@ TEST_F(OddInput, AnEmptyRecipeIsSaidToBeOne) {
   EXPECT_EQ(run("study " + write("study.toml", "recipe = \"" + write("empty.toml", "# later\n") + "\"\n") +
                 " --dry-run"),
             0);
-  EXPECT_THAT(output, HasSubstr("the file says nothing: this is the paper's intact specimen, of 7481 discs"));
+  EXPECT_THAT(output, HasSubstr("nothing is stated: this is the paper's intact specimen, of 7481 discs"));
 }
 
 // ulimit -f: the signal of the system would end the program in the middle of a file.
