@@ -56,8 +56,11 @@ std::string gnuplot_head(FigureFormat format, double width, double height, const
     terminal = fmt::format(
         "svg enhanced size {:.0f},{:.0f} font 'DejaVu Sans,10.7' lw 1.1 rounded background 'white'", w * 96.0,
         h * 96.0);
+  // The PNG terminal takes numbers of axes for narrower than they are, the others for wider.
+  const std::string labels = format == FigureFormat::png ? "set ylabel offset -0.3\n"
+                                                         : "set ylabel offset 1\nset y2label offset -1\n";
   return "set encoding utf8\nset terminal " + terminal + "\nset output " + gnuplot_string(file) +
-         "\nset border 3 lw 0.8\nset tics nomirror out scale 0.5 font ',7'\n"
+         "\nset border 3 lw 0.8\nset tics nomirror out scale 0.5 font ',7'\n" + labels +
          "set key samplen 1.6 spacing 0.95 width -1 font ',7' noopaque\n";
 }
 
