@@ -271,7 +271,7 @@ std::string gnuplot_script(const Figure& figure, FigureFormat format, double wid
     key = key_of(panels_of(figure), width, false);
     if (key.rows > 0) head = 1.0 + 3.4 * static_cast<double>(key.rows);
     s.add(
-        "set key at screen 0.06,screen 0.995 left top vertical maxrows {} reverse Left samplen 2.4 width -4",
+        "set key at screen 0.06,screen 0.995 left top vertical maxrows {} reverse Left samplen 2.4 width -2",
         std::max<std::size_t>(1, key.rows));
   } else if (figure.key == Key::inside) {
     s.add("set key top center reverse Left maxrows 3 samplen 1.2 font ',6' width -2");
