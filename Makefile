@@ -184,7 +184,7 @@ web:
 
 # Both pages in Debian's Chromium; need node and chromium beside `make deps`.
 browser: build web
-	@PHYLLITE=$(BUILD)/phyllite node --test tests/browser/
+	@PHYLLITE=$(BUILD)/phyllite node --test tests/browser/*.test.mjs
 
 clean:
 	rm -rf build results

@@ -10,6 +10,7 @@
 #include "gui/project.hpp"
 #include "io/table.hpp"
 #include "jobs/rock_check.hpp"
+#include "report/angle_panels.hpp"
 #include "report/calibration_figures.hpp"
 #include "report/figure_json.hpp"
 #include "report/finding_json.hpp"
@@ -63,6 +64,8 @@ Json problem_json(Problem problem, const std::string& toml_file, const std::stri
 Json target_json(const Target& t) {
   const double half = t.half_width();
   Json j = {{"property", to_string(t.property)},
+            {"title", report::axis_of(t.property).label() + particulars(t)},
+            {"factor", shown_unit(t.property).factor},
             {"unit", inner_unit(measured(t.property).dimension)},
             {"theta", t.theta},
             {"mean", t.mean},

@@ -58,11 +58,13 @@ bool Rival::has_modulus() const { return modulus_error <= modulus_limit; }
 
 std::vector<Finding> ModelChoice::findings() const {
   std::vector<Finding> all = {{FindingKind::model_taken, {}, {}, {model_in_words(rock())}}};
-  for (const Rival& r : rivals)
-    all.push_back({FindingKind::model_expected,
-                   {},
-                   {{"E", r.modulus_error}, {"strengths", r.strength_error}},
-                   {model_in_words(r.rock)}});
+  for (const Rival& r : rivals) {
+    Finding expected{FindingKind::model_expected, {}, {}, {model_in_words(r.rock)}};
+    // 0: the table has none
+    if (r.modulus_error > 0.0) expected.numbers.push_back({"E", r.modulus_error});
+    if (r.strength_error > 0.0) expected.numbers.push_back({"strengths", r.strength_error});
+    all.push_back(std::move(expected));
+  }
   if (rivals[best].has_modulus() &&
       !std::all_of(rivals.begin(), rivals.end(), std::mem_fn(&Rival::has_modulus)))
     all.push_back({FindingKind::models_miss_modulus, {}, {{"limit", modulus_limit}}});

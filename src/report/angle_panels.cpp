@@ -47,8 +47,8 @@ std::string theory_name(const TheoryCurves& curves, const std::string& fitted_to
 
 std::string error_beside(double model, const Target* t) {
   if (t == nullptr) return "";
-  const double error = measured(t->property).absolute ? model - t->mean : model / t->mean - 1.0;
-  return std::string("error ") + (error < 0.0 ? "−" : "+") + miss_text(t->property, std::fabs(error));
+  const double off = miss(t->property, model, t->mean);
+  return std::string("error ") + (off < 0.0 ? "−" : "+") + miss_text(t->property, std::fabs(off));
 }
 
 }  // namespace phy::report

@@ -8,6 +8,7 @@
 
 #include "base/least_squares.hpp"
 #include "base/nan.hpp"
+#include "report/words.hpp"
 #include "theory/jaeger_fit.hpp"
 
 namespace phy::report {
@@ -49,8 +50,8 @@ double rms(const std::vector<Comparison>& rows, Property property) {
   int n = 0;
   for (const Comparison& c : rows)
     if (c.target.property == property) {
-      const double error = property == Property::nu ? c.mean - c.target.mean : c.error();
-      squares += error * error, ++n;
+      const double off = miss(c);
+      squares += off * off, ++n;
     }
   return n > 0 ? std::sqrt(squares / n) : nan;
 }

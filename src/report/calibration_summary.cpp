@@ -26,48 +26,53 @@ const std::vector<FindingKind> unanswered = {FindingKind::fit_unanswered, Findin
                                              FindingKind::no_usable_peak, FindingKind::search_unanswered};
 const std::vector<FindingKind> coarse = {FindingKind::value_unresolved};
 
-/// Does a finding of these kinds name the cell?
-bool is_named(const Calibration& c, const Target& t, const std::vector<FindingKind>& kinds) {
-  return std::any_of(c.verdict.findings.begin(), c.verdict.findings.end(), [&](const Finding& f) {
-    return is_in(kinds, f.kind) && std::find(f.cells.begin(), f.cells.end(), cell_of(t)) != f.cells.end();
-  });
+/// The cell as a finding of these kinds names it, without an angle where the rock has no bedding; nullptr:
+/// none does.
+const Cell* named_cell(const Calibration& c, const Target& t, const std::vector<FindingKind>& kinds) {
+  for (const Finding& f : c.verdict.findings) {
+    if (!is_in(kinds, f.kind)) continue;
+    for (const Cell& named : f.cells) {
+      Cell cell = named;
+      if (std::isnan(cell.theta)) cell.theta = t.theta;
+      if (cell == cell_of(t)) return &named;
+    }
+  }
+  return nullptr;
 }
 
-/// "11 - 13", or one number where both look alike.
 std::string span(const std::vector<double>& values, const char* format) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const std::string a = fmt::format(fmt::runtime(format), *low), b = fmt::format(fmt::runtime(format), *high);
-  return a == b ? a : a + " - " + b;
+  return range_text(*low, *high, format);
 }
 
-/// "UCS is 11 - 13 % off at 30, 75 and 90 degrees.", of the cells of one test that findings name.
+/// "UCS is 11 to 13 % off at 30, 75 and 90 degrees.", of the cells of one test that findings name.
 void add_cells(std::vector<std::string>& lines, const Calibration& c, const Target& test) {
   const std::string name = test_name(test);
   const bool nu = test.property == Property::nu;
   std::vector<double> off, where, silent, unresolved;
   for (const Comparison& f : c.fitted) {
     if (!same_test(f.target, test)) continue;
-    if (is_named(c, f.target, coarse)) unresolved.push_back(f.target.theta);
-    if (is_named(c, f.target, unanswered)) silent.push_back(f.target.theta);
-    if (!is_named(c, f.target, missed)) continue;
-    const Comparison& row = judged(c, f);
-    where.push_back(f.target.theta);
-    off.push_back(std::fabs(nu ? row.mean - row.target.mean : 100.0 * row.error()));
+    if (const Cell* cell = named_cell(c, f.target, coarse)) unresolved.push_back(cell->theta);
+    if (const Cell* cell = named_cell(c, f.target, unanswered)) silent.push_back(cell->theta);
+    const Cell* cell = named_cell(c, f.target, missed);
+    if (cell == nullptr) continue;
+    where.push_back(cell->theta);
+    off.push_back((nu ? 1.0 : 100.0) * std::fabs(miss(judged(c, f))));
   }
   if (!off.empty())
-    lines.push_back(fmt::format("{} is {}{} off at {}.", name,
+    lines.push_back(fmt::format("{} is {}{} off{}.", name,
                                 span(off, nu                                                 ? "{:.2f}"
                                           : *std::max_element(off.begin(), off.end()) < 9.95 ? "{:.2g}"
                                                                                              : "{:.0f}"),
-                                nu ? "" : " %", angles_text(where)));
-  if (!silent.empty()) lines.push_back(fmt::format("{} has no answer at {}.", name, angles_text(silent)));
+                                nu ? "" : " %", at_text(where)));
+  if (!silent.empty()) lines.push_back(fmt::format("{} has no answer{}.", name, at_text(silent)));
   if (!unresolved.empty())
-    lines.push_back(fmt::format(
-        "{} is not resolved at {}; tables.txt has the errors that would pass, and what would help.", name,
-        angles_text(unresolved)));
+    lines.push_back(
+        fmt::format("{} is not resolved{}; tables.txt has the errors that would pass, and what would help.",
+                    name, at_text(unresolved)));
 }
 
-/// "UCS/BTS is 4.3 - 8.4 in the table and 5.3 - 6.4 in the nearest model, at 0 and 30 degrees."
+/// "UCS/BTS is 4.3 to 8.4 in the table and 5.3 to 6.4 in the nearest model at 0 and 30 degrees."
 void add_ratios(std::vector<std::string>& lines, const Calibration& c, Property p) {
   std::vector<double> laboratory, model, where;
   for (const Finding& f : c.verdict.findings) {
@@ -76,8 +81,8 @@ void add_ratios(std::vector<std::string>& lines, const Calibration& c, Property 
     where.push_back(f.cells[1].theta);
   }
   if (!laboratory.empty())
-    lines.push_back(fmt::format("UCS/{} is {} in the table and {} in the nearest model, at {}.", to_string(p),
-                                span(laboratory, "{:.1f}"), span(model, "{:.1f}"), angles_text(where)));
+    lines.push_back(fmt::format("UCS/{} is {} in the table and {} in the nearest model{}.", to_string(p),
+                                span(laboratory, "{:.1f}"), span(model, "{:.1f}"), at_text(where)));
 }
 
 }  // namespace
@@ -85,6 +90,13 @@ void add_ratios(std::vector<std::string>& lines, const Calibration& c, Property 
 const Comparison& judged(const Calibration& c, const Comparison& fitted) {
   const Comparison* unseen = row_of(c.verification, fitted.target);
   return unseen != nullptr ? *unseen : fitted;
+}
+
+std::string open_parameters(const Calibration& c) {
+  std::vector<std::string> open;
+  for (const ParameterEstimate& e : c.parameters)
+    if (e.open()) open.push_back(e.symbol);
+  return list_text(open);
 }
 
 std::vector<std::string> open_lines(const Calibration& c) {
@@ -100,12 +112,12 @@ std::vector<std::string> open_lines(const Calibration& c) {
   std::vector<std::string> lines;
   for (const auto& [test, symbols] : open)
     lines.push_back(fmt::format("{}: not determined by this table; {}.", list_text(symbols),
-                                test.empty() ? "no test of a table determines them" : "next: " + test));
+                                test.empty() ? "no test of a table would" : "next: " + test));
   return lines;
 }
 
 std::vector<std::string> summary_lines(const Calibration& c) {
-  std::vector<std::string> lines, open;
+  std::vector<std::string> lines;
   for (std::size_t i = 0; i < c.fitted.size(); ++i)  // once for every test
     if (std::none_of(c.fitted.begin(), c.fitted.begin() + static_cast<std::ptrdiff_t>(i),
                      [&](const Comparison& f) { return same_test(f.target, c.fitted[i].target); }))
@@ -118,9 +130,8 @@ std::vector<std::string> summary_lines(const Calibration& c) {
            f.kind == FindingKind::ratio_missed;
   });
   for (std::string& line : sentences(others)) lines.push_back(std::move(line));
-  for (const ParameterEstimate& e : c.parameters)
-    if (e.open()) open.push_back(e.symbol);
-  if (!open.empty()) lines.push_back(fmt::format("The data do not determine {}.", list_text(open)));
+  if (const std::string open = open_parameters(c); !open.empty())
+    lines.push_back(fmt::format("The data do not determine {}.", open));
   return lines;
 }
 

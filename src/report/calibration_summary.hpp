@@ -17,6 +17,9 @@ std::vector<std::string> summary_lines(const Calibration& calibration);
 /// The same on at most ten lines of the terminal; what does not fit is counted.
 std::string summary_text(const Calibration& calibration, int terminal_width);
 
+/// "k_n and k_s": those that the data leave open; may be empty.
+std::string open_parameters(const Calibration& calibration);
+
 /// Parameters that the data leave open, those with the same next test together.
 std::vector<std::string> open_lines(const Calibration& calibration);
 

@@ -54,8 +54,8 @@ Calibration found() {
 
 TEST(CalibrationSummary, CellsOfOnePropertyAreOneLine) {
   EXPECT_THAT(summary_lines(found()),
-              ElementsAre("nu is 0.05 off at 0 degrees.", "UCS is 10 - 12 % off at 30 and 75 degrees.",
-                          "UCS/BTS is 4.0 in the table and 5.6 in the nearest model, at 30 degrees.",
+              ElementsAre("nu is 0.05 off at 0 degrees.", "UCS is 10 to 12 % off at 30 and 75 degrees.",
+                          "UCS/BTS is 4.0 in the table and 5.6 in the nearest model at 30 degrees.",
                           sentence(something_else), "The data do not determine mu and phi."));
 }
 

@@ -40,8 +40,8 @@ std::vector<std::string> cells_of(const Comparison& row) {
   const Property p = row.target.property;
   return {number_text(row.target.mean * shown(p)), number_text(row.mean * shown(p)),
           !row.answered()     ? "-"
-          : p == Property::nu ? fmt::format("{:+.2f}", row.mean - row.target.mean)
-                              : fmt::format("{:+.1f}", 100.0 * row.error())};
+          : p == Property::nu ? fmt::format("{:+.2f}", miss(row))
+                              : fmt::format("{:+.1f}", 100.0 * miss(row))};
 }
 
 /// Of the table as it was read: an inclination and a stress on the sides; discs of another size have a line
@@ -62,8 +62,8 @@ std::string number_cell(const Comparison& r, double value) {
 std::string value_cell(const Comparison* r) { return r != nullptr ? number_cell(*r, r->mean) : "-"; }
 std::string error_cell(const Comparison* r) {
   if (r == nullptr || !r->answered()) return "-";
-  return r->target.property == Property::nu ? fmt::format("{:+.3f}", r->mean - r->target.mean)
-                                            : fmt::format("{:+.1f} %", 100.0 * r->error());
+  return r->target.property == Property::nu ? fmt::format("{:+.3f}", miss(*r))
+                                            : fmt::format("{:+.1f} %", 100.0 * miss(*r));
 }
 
 }  // namespace
@@ -365,7 +365,7 @@ std::string budget_text(const Calibration& c, int terminal_width) {
   std::string text;
   const SimulatorCount& n = c.counts;
   if (n.tests > 0) {
-    text = fmt::format("{} tests in compression", n.compression());
+    text = counted_text(static_cast<double>(n.compression()), "test") + " in compression";
     if (n.tension > 0)
       text += fmt::format(" and {} in tension{}", n.tension, has_bend_tests(c) ? " or bending" : "");
     if (n.coarse > 0) text += fmt::format("; {} of all tests on coarse grains", n.coarse);

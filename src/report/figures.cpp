@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/spelling.hpp"
+#include "base/text_table.hpp"
 #include "report/calibration_figures.hpp"
 #include "report/gnuplot_figure.hpp"
 #include "report/run_figures.hpp"
@@ -102,7 +103,7 @@ std::string figure_text(const FigureKind& kind, const FigureData& data, int colu
   std::string text;
   for (const Panel& panel : kind.make(data).panels) {
     for (const std::string& line : terminal_plot(panel, columns, rows, false)) text += line + "\n";
-    text += panel.caption.empty() ? "\n" : panel.caption + "\n\n";
+    text += panel.caption.empty() ? "\n" : wrapped(panel.caption, columns) + "\n\n";
   }
   return text;
 }

@@ -183,8 +183,7 @@ double step_of(const Axis& axis, double width) {
 
 void set_axis(GnuplotScript& s, const Axis& axis, const char* name, double high, const Grid& g) {
   s.add("set {}range [{:.8g}:{:.8g}]", name, axis.low, high);
-  s.add("set {}label {}{}", name, gnuplot_string(typeset(axis.label())),
-        name == std::string("y") ? " offset 0.3" : "");
+  s.add("set {}label {}", name, gnuplot_string(typeset(axis.label())));
   if (axis.logarithmic)
     s.add("set logscale {0}; set format {0} '10^{{%L}}'", name);
   else

@@ -11,6 +11,7 @@
 #include "records/rock_model.hpp"
 #include "records/test_description.hpp"
 #include "report/baselines.hpp"
+#include "report/calibration_summary.hpp"
 #include "report/words.hpp"
 
 namespace phy::report {
@@ -370,14 +371,12 @@ std::string outcome_text(const Calibration& c) {
     if (!errors.empty())
       text += fmt::format("{} {} ({})", text.empty() ? "" : ";", fmt::join(errors, ", "), row.of);
   }
-  std::vector<std::string> open;
-  for (const ParameterEstimate& e : c.parameters)
-    if (e.open()) open.push_back(e.symbol);
+  const std::string open = open_parameters(c);
   return fmt::format("Root mean square errors:{}. Verdict: {}{}", text, verdict_words(c),
                      open.empty() ? ""
                                   : fmt::format(" The data do not constrain {}: 95 % intervals over half of "
                                                 "the admitted values, in logarithms.",
-                                                fmt::join(open, ", ")));
+                                                open));
 }
 
 }  // namespace

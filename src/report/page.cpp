@@ -104,6 +104,14 @@ Json figures_json(const RunRecord& run, const PageExtras& extras) {
   return j;
 }
 
+/// Measured properties as people read them.
+Json properties_json() {
+  Json j = Json::object();
+  for (const MeasuredProperty& p : measured_properties())
+    j[p.name] = {{"axis", p.axis}, {"unit", p.shown.name}, {"factor", p.shown.factor}};
+  return j;
+}
+
 /// What was done, for a heading: several runs of one rock differ in it alone.
 Json done_json(const Recipe& recipe) {
   const TestDescription& test = *recipe.test.kind;
@@ -122,6 +130,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   j["axes"] = axes_json(first.recipe.test.kind->curve);
   j["columns"] = columns_json(*first.recipe.test.kind);
   j["done"] = done_json(first.recipe);
+  j["properties"] = properties_json();
   j["tests"] = Json::array();
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
   j["missing"] = Json::array();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "base/check.hpp"
 #include "base/quote.hpp"
@@ -33,12 +34,8 @@ class Dots {
 
   void put(int x, int y, Color color) {  // from the lower left corner
     if (x < 0 || y < 0 || x >= width() || y >= height()) return;
-    const int row = rows_ - 1 - y / 4, line = 3 - y % 4;  // of the character, of the dot from above
-    constexpr std::array<std::array<unsigned, 2>, 4> bits = {
-        {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
-    Cell& cell = cells_[index(row, x / 2)];
-    cell.dots |= bits[static_cast<std::size_t>(line)][static_cast<std::size_t>(x % 2)];
-    cell.color = color;
+    Cell& cell = cells_[index(rows_ - 1 - y / 4, x / 2)];
+    cell.dots |= bit(x, y), cell.color = color;
   }
   /// Characters in place of dots, about a dot.
   void write(int x, int y, const std::string& text, Color color) {
@@ -50,7 +47,15 @@ class Dots {
       i += n;
     }
   }
-  /// One line of text; U+2800 + dots in UTF-8.
+  static unsigned bit(int x, int y) {  // of a character
+    constexpr std::array<std::array<unsigned, 2>, 4> bits = {
+        {{0x40, 0x80}, {0x04, 0x20}, {0x02, 0x10}, {0x01, 0x08}}};
+    return bits[static_cast<std::size_t>(y % 4)][static_cast<std::size_t>(x % 2)];
+  }
+  /// U+2800 + dots in UTF-8.
+  static std::string character(unsigned dots) {
+    return {'\xE2', static_cast<char>(0xA0U | dots >> 6U), static_cast<char>(0x80U | (dots & 63U))};
+  }
   std::string line(int row, bool colored) const {
     std::string text;
     for (int i = 0; i < columns_; ++i) {
@@ -59,9 +64,7 @@ class Dots {
         text += ' ';
         continue;
       }
-      const std::string dots = {'\xE2', static_cast<char>(0xA0U | cell.dots >> 6U),
-                                static_cast<char>(0x80U | (cell.dots & 63U))};
-      const std::string& shown = cell.letter.empty() ? dots : cell.letter;
+      const std::string shown = cell.letter.empty() ? character(cell.dots) : cell.letter;
       text += colored ? in_color(shown, cell.color) : shown;
     }
     return text;
@@ -103,11 +106,40 @@ class Places {
   double low_ = 0.0, span_ = 0.0;
 };
 
+/// Which dots of a box are seen: patterns tell neighbours apart without colours.
+bool is_inked(std::size_t number, int x, int y) {
+  constexpr std::size_t patterns = 4;
+  switch (number % patterns) {
+    case 0: return true;
+    case 1: return (x + y) % 2 == 0;
+    case 2: return x % 2 == 0;
+    default: return y % 2 == 0;
+  }
+}
+
+/// How a series looks where it is seen alone; points are letters, by their order in the key.
+std::string sign_of(const Series& s, const std::vector<const Series*>& key) {
+  constexpr std::string_view letters = "ox+*#%&@";
+  const auto before =
+      std::find_if(key.begin(), key.end(), [&](const Series* k) { return k->name == s.name; });
+  const auto n = std::count_if(key.begin(), before, [](const Series* k) { return k->mark == Mark::points; });
+  unsigned dots = 0;
+  for (int i = 0; i < 8; ++i)
+    if (is_inked(s.number, i % 2, i / 2)) dots |= Dots::bit(i % 2, i / 2);
+  switch (s.mark) {
+    case Mark::points: return {letters[static_cast<std::size_t>(n) % letters.size()]};
+    case Mark::boxes: return Dots::character(dots);
+    case Mark::dots: return "·";
+    default: return "─";
+  }
+}
+
 /// Draws the series of a panel, in the order in which they come.
 class Pen {
  public:
   Pen(Dots& dots, const Panel& panel)
       : dots_(dots),
+        key_(named_series({&panel})),
         x_(panel.x, dots.width()),
         y_(panel.y, dots.height()),
         right_(panel.right.value_or(panel.y), dots.height()) {}
@@ -122,9 +154,11 @@ class Pen {
         line({before->x, before->y}, {p.x, p.y}, up);
       if (before != nullptr && s.mark == Mark::band) line({before->x, before->high}, {p.x, p.high}, up);
       if (s.mark == Mark::text && known({p.x, p.y})) dots_.write(x_.of(p.x), up.of(p.y), p.text, color_);
-      if (s.mark == Mark::points) cross({p.x, p.y}, up);
       if (s.mark == Mark::dots) line({p.x, p.y}, {p.x, p.y}, up);
-      if (s.mark == Mark::points || s.mark == Mark::boxes) line({p.x, p.low}, {p.x, p.high}, up);
+      if (s.mark == Mark::boxes && p.high > p.low) box(s, p, up);
+      if (s.mark == Mark::points) line({p.x, p.low}, {p.x, p.high}, up);
+      if (s.mark == Mark::points && known({p.x, p.y}))
+        dots_.write(x_.of(p.x), up.of(p.y), sign_of(s, key_), color_);
     }
   }
 
@@ -139,19 +173,32 @@ class Pen {
     const int n = std::max({1, std::abs(x1 - x0), std::abs(y1 - y0)});
     for (int k = 0; k <= n; ++k) dots_.put(x0 + (x1 - x0) * k / n, y0 + (y1 - y0) * k / n, color_);
   }
-  void cross(Place at, const Places& up) {
-    if (!known(at)) return;
-    const int x = x_.of(at.x), y = up.of(at.y);
-    for (const int d : {-1, 0, 1}) dots_.put(x + d, y, color_), dots_.put(x, y + d, color_);
+  void box(const Series& s, const Point& p, const Places& up) {
+    const int right = x_.of(p.x + 0.5 * s.width), top = up.of(p.high);
+    for (int x = x_.of(p.x - 0.5 * s.width); x <= right; ++x)
+      for (int y = up.of(p.low); y <= top; ++y)
+        if (is_inked(s.number, x, y)) dots_.put(x, y, color_);
   }
   Dots& dots_;
+  std::vector<const Series*> key_;
   Places x_, y_, right_;
   Color color_ = 0;
 };
 
-/// The ends of x, what it is, then the names of the series, on as many lines as it takes.
+/// The names along x.
+std::string names_below(const Axis& axis, int columns) {
+  Dots line(columns - axis_columns, 1);
+  const Places at(axis, line.width());
+  for (std::size_t i = 0; i < axis.names.size(); ++i)
+    line.write(at.of(static_cast<double>(i)), 0, axis.names[i], 0);
+  return std::string(axis_columns, ' ') + line.line(0, false);
+}
+
+/// The ends of x or the names along it, what it is, then the key of the series, on as many lines as it takes.
 std::vector<std::string> legend(const Panel& panel, int columns, bool colored) {
-  std::vector<std::string> lines(1);
+  std::vector<std::string> lines;
+  if (!panel.x.names.empty()) lines.push_back(names_below(panel.x, columns));
+  lines.emplace_back();
   int used = 0;
   const auto add = [&](const std::string& text, const std::string& shown) {
     const int length = length_of(text) + 2;
@@ -160,11 +207,17 @@ std::vector<std::string> legend(const Panel& panel, int columns, bool colored) {
     lines.back() += "  " + shown, used += length;
   };
   const Axis& x = panel.x;
-  const std::string ends = fmt::format("{:.3g} ... {:.3g}", x.low, x.high), below = ends + " " + x.unit;
-  const std::string quantity = x.quantity.empty() ? below : below + "  " + x.quantity;
+  const std::string ends = fmt::format("{:.3g} ... {:.3g}{}{}", x.low, x.high, x.unit.empty() ? "" : " ",
+                                       x.unit),
+                    quantity = !x.names.empty()     ? x.quantity
+                               : x.quantity.empty() ? ends
+                                                    : ends + "  " + x.quantity;
   if (panel.framed) add(quantity, quantity);
-  for (const Series* s : named_series({&panel}))
-    add(s->name, colored ? Dots::in_color(s->name, screen_color(s->role, s->number, s->shade)) : s->name);
+  const std::vector<const Series*> key = named_series({&panel});
+  for (const Series* s : key) {
+    const std::string text = sign_of(*s, key) + " " + s->name;
+    add(text, colored ? Dots::in_color(text, screen_color(s->role, s->number, s->shade)) : text);
+  }
   return lines;
 }
 

@@ -38,14 +38,28 @@ Series line(const std::string& name, std::vector<Point> points) {
 
 // From the lower left to the upper right corner: the first and last character hold one corner dot each.
 TEST(TerminalPlot, ALineRunsFromCornerToCorner) {
-  const auto lines = terminal_plot(panel_of({line("45°", {{0.0, 0.0}, {0.5, 80.0}})}), 32, 15, false);
-  ASSERT_EQ(lines.size(), 15U);
+  const auto lines = terminal_plot(panel_of({line("45°", {{0.0, 0.0}, {0.5, 80.0}})}), 34, 16, false);
+  ASSERT_EQ(lines.size(), 16U);
   EXPECT_EQ(lines[0], "axial stress [MPa]");
   EXPECT_THAT(lines[1], StartsWith("     80│"));
   EXPECT_EQ(lines[1].substr(lines[1].size() - 3), "⠊");
-  EXPECT_THAT(lines[12], StartsWith("      0│⡠"));
-  EXPECT_THAT(lines[14], HasSubstr("0 ... 0.5 %  axial strain  45°"));
-  for (const std::string& l : lines) EXPECT_LE(width_of(l), 32);
+  EXPECT_THAT(lines[13], StartsWith("      0│⡠"));
+  EXPECT_THAT(lines[15], HasSubstr("0 ... 0.5 %  axial strain  ─ 45°"));
+  for (const std::string& l : lines) EXPECT_LE(width_of(l), 34);
+}
+
+TEST(TerminalPlot, BoxesStandAboveTheirNamesInAPatternOfTheKey) {
+  Panel panel{"", "", Axis{"specimen", "", -0.5, 1.5}, Axis{"share", "%", 0.0, 100.0}};
+  panel.x.names = {"0°", "intact"};
+  Series below{"tension", Mark::boxes}, above{"shear", Mark::boxes};
+  above.number = 1, below.width = above.width = 0.8;
+  below.points = {{0.0, nan, 0.0, 50.0}, {1.0, nan, 0.0, 100.0}}, above.points = {{0.0, nan, 50.0, 100.0}};
+  panel.series = {below, above};
+  const auto lines = terminal_plot(panel, 60, 14, false);
+  EXPECT_THAT(lines[2], HasSubstr("⡪⡪"));
+  EXPECT_THAT(lines[9], testing::Not(HasSubstr("⡪")));
+  EXPECT_THAT(lines[12], testing::ContainsRegex("^ +0° +intact +$"));
+  EXPECT_EQ(lines[13], "  specimen  ⣿ tension  ⡪ shear");
 }
 
 TEST(TerminalPlot, FitsAnyWidthInColourToo) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "base/check.hpp"
 
@@ -24,19 +25,6 @@ const Wording& wording_of(FindingKind kind) {
   const auto it = all.find(kind);
   PHY_CHECK(it != all.end(), "a sentence for " + std::string(to_string(kind)));
   return it->second;
-}
-
-bool same_test(const Cell& a, const Cell& b) {
-  return a.property == b.property && a.confining == b.confining && a.diameter == b.diameter;
-}
-
-/// "UCS", "BTS (54 mm)", "sigma_1 (10 MPa)".
-std::string test_text(const Cell& c) {
-  std::vector<std::string> own;
-  if (c.diameter > 0.0) own.push_back(fmt::format("{:g} mm", c.diameter * 1e3));
-  if (c.confining > 0.0) own.push_back(fmt::format("{:.3g} MPa", c.confining * 1e-6));
-  const std::string name = to_string(c.property);
-  return own.empty() ? name : name + " (" + list_text(own) + ")";
 }
 
 }  // namespace
@@ -84,9 +72,24 @@ std::string percent_text(double share) {
   return std::fabs(percent) < 9.95 ? fmt::format("{:.1f} %", percent) : fmt::format("{:.0f} %", percent);
 }
 
+double miss(Property property, double model, double laboratory) {
+  return measured(property).absolute ? model - laboratory : model / laboratory - 1.0;
+}
+
 std::string miss_text(Property property, double miss) {
   if (!std::isfinite(miss)) return "-";
-  return property == Property::nu ? fmt::format("{:.3f}", miss) : percent_text(miss);
+  return measured(property).absolute ? fmt::format("{:.3f}", miss) : percent_text(miss);
+}
+
+std::string miss_text(const Finding& f) {
+  const Property p = f.cells.front().property;
+  const double off = miss(p, f.number("model"), f.number("laboratory"));
+  return fmt::format("{} too {}", miss_text(p, std::fabs(off)), off < 0.0 ? "low" : "high");
+}
+
+std::string range_text(double low, double high, const char* format) {
+  const std::string a = fmt::format(fmt::runtime(format), low), b = fmt::format(fmt::runtime(format), high);
+  return a == b ? a : a + " to " + b;
 }
 
 std::string parameter_text(double value, const std::string& unit) {
@@ -106,25 +109,32 @@ std::string list_text(const std::vector<std::string>& items) {
   return text;
 }
 
-std::string angles_text(const std::vector<double>& angles) {
+std::string at_text(const std::vector<double>& angles) {
   std::vector<std::string> items;
-  for (const double theta : angles) items.push_back(fmt::format("{:g}", theta));
-  return list_text(items) + " degrees";
+  for (const double theta : angles)
+    if (std::isfinite(theta)) items.push_back(fmt::format("{:g}", theta));
+  return items.empty() ? "" : " at " + list_text(items) + " degrees";
+}
+
+std::string test_text(const Cell& c) {
+  std::vector<std::string> own;
+  if (c.diameter > 0.0) own.push_back(fmt::format("{:g} mm", c.diameter * 1e3));
+  if (c.confining > 0.0) own.push_back(fmt::format("{:.3g} MPa", c.confining * 1e-6));
+  const std::string name = to_string(c.property);
+  return own.empty() ? name : fmt::format("{} ({})", name, fmt::join(own, ", "));
 }
 
 std::string cells_text(const std::vector<Cell>& cells) {
-  std::vector<std::string> tests;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::vector<double> angles;
-    bool first = true;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      if (!same_test(cells[k], cells[i])) continue;
-      first = first && k >= i;
-      angles.push_back(cells[k].theta);
-    }
-    if (first) tests.push_back(test_text(cells[i]) + " at " + angles_text(angles));
+  std::vector<std::pair<std::string, std::vector<double>>> tests;
+  for (const Cell& c : cells) {
+    const std::string name = test_text(c);
+    auto at = std::find_if(tests.begin(), tests.end(), [&](const auto& t) { return t.first == name; });
+    if (at == tests.end()) at = tests.insert(at, {name, {}});
+    at->second.push_back(c.theta);
   }
-  return fmt::format("{}", fmt::join(tests, ", "));
+  std::string text;
+  for (const auto& [name, angles] : tests) text += (text.empty() ? "" : ", ") + name + at_text(angles);
+  return text;
 }
 
 }  // namespace phy::report

@@ -31,16 +31,25 @@ std::string next_words(const Calibration& calibration);
 std::string number_text(double value);
 /// A value in the unit in which people read the property: "48.0 MPa", "0.529".
 std::string value_text(Property property, double si);
-/// A relative difference, of nu the number itself: "4.1 %", "53 %", "0.042"; "-" for none.
+/// The model less the laboratory: relative, but of nu the number itself.
+double miss(Property property, double model, double laboratory);
+inline double miss(const Comparison& c) { return miss(c.target.property, c.mean, c.target.mean); }
+/// "4.1 %", "53 %"; of nu "0.042"; "-" for none.
 std::string miss_text(Property property, double miss);
+/// "7.2 % too low", by "model" and "laboratory" of the finding.
+std::string miss_text(const Finding& finding);
 /// "30 %", "3.4 %".
 std::string percent_text(double share);
 /// A number of a recipe: "25.9 GPa", "1.5 MPa/m", "0.328".
 std::string parameter_text(double value, const std::string& unit);
+/// "14.3 to 15.0", or one number where both look alike.
+std::string range_text(double low, double high, const char* format);
 /// "3 tests", "1 test".
 std::string counted_text(double n, const std::string& noun);
-/// "0 degrees", "0, 30 and 60 degrees".
-std::string angles_text(const std::vector<double>& angles);
+/// " at 0 and 30 degrees"; a rock without bedding has no angles (NaN).
+std::string at_text(const std::vector<double>& angles);
+/// "UCS", "BTS (54 mm)", "sigma_1 (10 MPa)".
+std::string test_text(const Cell& cell);
 /// "UCS at 0 and 30 degrees, BTS at 90 degrees".
 std::string cells_text(const std::vector<Cell>& cells);
 /// "a, b and c".

@@ -104,7 +104,7 @@ TEST(Words, TheVerdictOfARockThatIsMet) {
   EXPECT_EQ(verdict_words(c),
             "Calibrated. The model has nu within 0.010 and UCS within 1.7 % of the table on packings the fit "
             "has not "
-            "seen. The data determine every parameter. Next: run it (calibrated.toml).");
+            "seen. The data determine every fitted parameter. Next: run it (calibrated.toml).");
   ParameterEstimate open;
   open.symbol = "sigma_n,sj", open.next = {Remedy::test, {at_angle(Property::direct_tension, 0.0)}};
   c.parameters = {open};

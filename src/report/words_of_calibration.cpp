@@ -25,23 +25,10 @@ std::string both(F f) {
                      value_text(property_of(f), f.number("laboratory")));
 }
 
-/// "7.2 % too low".
-std::string miss(F f) {
-  const double model = f.number("model"), laboratory = f.number("laboratory");
-  const bool nu = property_of(f) == Property::nu;
-  const double off = nu ? model - laboratory : model / laboratory - 1.0;
-  return fmt::format("{} too {}", miss_text(property_of(f), std::fabs(off)), off < 0.0 ? "low" : "high");
-}
-
-/// "14.3 to 15.0", or one number where both look alike.
-std::string range(double low, double high, const char* format) {
-  const std::string a = fmt::format(fmt::runtime(format), low), b = fmt::format(fmt::runtime(format), high);
-  return a == b ? a : a + " to " + b;
-}
 std::string ranges(F f, const std::string& ratio, const char* format) {
   return fmt::format("{} is {} in the table and {} in the model.", ratio,
-                     range(f.number("laboratory_low"), f.number("laboratory_high"), format),
-                     range(f.number("model_low"), f.number("model_high"), format));
+                     range_text(f.number("laboratory_low"), f.number("laboratory_high"), format),
+                     range_text(f.number("model_low"), f.number("model_high"), format));
 }
 std::string tension_ratio(F f) {
   return ranges(f, fmt::format("UCS/{}", to_string(property_of(f))), "{:.1f}");
@@ -57,10 +44,10 @@ std::string weakest(F f) {
 
 std::string nearest_in_maps(F f) {
   const std::string numbers = fmt::format(
-      "With free scales the model misses {} by {:.2f} tolerances (rms), the nearest of {:.0f} mapped "
-      "specimens of {:.0f} models by {:.2f}.",
-      f.number("with_nu") > 0.0 ? "E, nu and strengths" : "E and strengths", f.number("model"),
-      f.number("specimens"), f.number("models"), f.number("nearest"));
+      "With free scales the model misses the table by {:.2f} tolerances (rms), the nearest of {:.0f} mapped "
+      "specimens of {} by {:.2f}.",
+      f.number("model"), f.number("specimens"), counted_text(f.number("models"), "model"),
+      f.number("nearest"));
   if (f.advice == Advice::none) return numbers + " The maps show no nearer model.";
   const std::string &model = f.names.front(),
                     again = fmt::format("Another search ({}, packing.seed)", option("effort"));
@@ -95,7 +82,7 @@ std::string options_of_rival(F f) {
 
 std::string rival_model(F f) {
   return fmt::format(
-      "{} may do as well: before any test E and strengths were missed by {}, by {} with {}. To try it, take "
+      "{} may do as well: before any test it missed the table by {}, {} with {}. To try it, take "
       "a new folder and {}.",
       f.names[0], percent_text(f.number("error")), percent_text(f.number("taken_error")), f.names[1],
       options_of_rival(f));
@@ -142,10 +129,10 @@ std::string unsettled(const std::string& why) {
 
 const std::vector<Wording> value_words = {
     {Kind::fit_missed,
-     [](F f) { return fmt::format("{} is {}, {}.", cells_text(f.cells), both(f), miss(f)); }},
+     [](F f) { return fmt::format("{} is {}, {}.", cells_text(f.cells), both(f), miss_text(f)); }},
     {Kind::value_missed,
      [](F f) {
-       return fmt::format("On unseen packings {} is {}, {}.", cells_text(f.cells), both(f), miss(f));
+       return fmt::format("On unseen packings {} is {}, {}.", cells_text(f.cells), both(f), miss_text(f));
      }},
     {Kind::packings_differ,
      [](F f) {
@@ -153,7 +140,7 @@ const std::vector<Wording> value_words = {
        const double unit = p == Property::nu ? 1.0 : f.number("model");
        return fmt::format(
            "On unseen packings {} is {}, {}; the fit meets it. Packings of this size differ by {}.",
-           cells_text(f.cells), both(f), miss(f), miss_text(p, f.number("sd") / unit));
+           cells_text(f.cells), both(f), miss_text(f), miss_text(p, f.number("sd") / unit));
      }},
     {Kind::fit_unanswered,
      [](F) -> std::string {
@@ -175,9 +162,9 @@ const std::vector<Wording> value_words = {
      }},
     {Kind::ratio_missed,
      [](F f) {
-       return fmt::format("UCS/{} at {} is {:.1f} in the table and {:.1f} in the nearest model.",
-                          to_string(f.cells[1].property), angles_text({f.cells[1].theta}),
-                          f.number("laboratory"), f.number("model"));
+       return fmt::format("UCS/{}{} is {:.1f} in the table and {:.1f} in the nearest model.",
+                          to_string(f.cells[1].property), at_text({f.cells[1].theta}), f.number("laboratory"),
+                          f.number("model"));
      }},
     {Kind::parameter_at_edge,
      [](F f) {
@@ -246,8 +233,11 @@ const std::vector<Wording> cause_words = {
 const std::vector<Wording> model_words = {
     {Kind::model_expected,
      [](F f) {
-       return fmt::format("Before any test, with {}: E fitted to {}, strengths left out predicted to {}.",
-                          f.names.front(), percent_text(f.number("E")), percent_text(f.number("strengths")));
+       std::vector<std::string> items;
+       if (f.has("E")) items.push_back("E fitted to " + percent_text(f.number("E")));
+       if (f.has("strengths"))
+         items.push_back("strengths left out predicted to " + percent_text(f.number("strengths")));
+       return fmt::format("Before any test, with {}: {}.", f.names.front(), list_text(items));
      }},
     {Kind::model_taken,
      [](F f) { return "Expected to do best, by the maps and before any test: " + f.names.front() + "."; }},
@@ -283,7 +273,7 @@ const std::vector<Wording> model_words = {
      [](F f) {
        return fmt::format(
            "Joints lie on {:g} of the planes, {:g} to {:g} (95 %). Shares outside miss E, miss the table by "
-           "{:g} times as much, or were not compared. Search and ensemble keep {:g}.",
+           "{:g} times as much, or were not compared. All other numbers are of {:g}.",
            f.number("share"), f.number("low"), f.number("high"), f.number("factor"), f.number("share"));
      }},
     {Kind::model_tried, model_tried},
@@ -343,7 +333,7 @@ const std::vector<Wording> test_words = {
     {Kind::tests_unmarked,
      [](F f) {
        return fmt::format(
-           "{:.0f} of {} on unseen packings are of an older version, which did not assess them.",
+           "{:.0f} of {} on unseen packings come from an older version, without this assessment.",
            f.number("tests"), counted_text(f.number("of"), "test"));
      }},
     {Kind::tests_change_modulus,
@@ -375,7 +365,7 @@ const std::vector<Wording> test_words = {
      [](F f) {
        return fmt::format("{} is compared, not fitted, with grains of {:.3g} mm: {}.", cells_text(f.cells),
                           f.number("grain_size") * 1e3,
-                          std::isfinite(f.number("model")) ? both(f) + ", " + miss(f) : "no answer");
+                          std::isfinite(f.number("model")) ? both(f) + ", " + miss_text(f) : "no answer");
      }},
     {Kind::toughness_grains, toughness_grains},
     {Kind::toughness_grains_unfit,
@@ -409,7 +399,7 @@ const std::vector<Wording> search_words = {
      }},
     {Kind::peaks_left_out,
      [](F f) {
-       return fmt::format("{:.0f} of {} of the search gave no usable peak and were left out.",
+       return fmt::format("Left out, for want of a usable peak: {:.0f} of {} of the search.",
                           f.number("tests"), counted_text(f.number("of"), "test"));
      }},
     {Kind::unsettled_tests,

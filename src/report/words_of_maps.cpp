@@ -33,16 +33,14 @@ std::string ratio(F f) {
       : f.number("models") == static_cast<double>(f.names.size())
           ? "Every mapped model reaches it."
           : fmt::format("Reached with: {}.", fmt::join(f.names, "; "));
-  return fmt::format("UCS/{} at {} is {:.1f} in the table; mapped specimens have {:.1f} to {:.1f}. {}",
-                     to_string(c.property), angles_text({c.theta}), f.number("laboratory"), f.number("low"),
-                     f.number("high"), reached);
+  return fmt::format("UCS/{}{} is {:.1f} in the table; mapped specimens have {}. {}", to_string(c.property),
+                     at_text({c.theta}), f.number("laboratory"),
+                     range_text(f.number("low"), f.number("high"), "{:.1f}"), reached);
 }
 
 std::string regression_error(F f) {
-  const std::string low = fmt::format("{:.0f}", 100.0 * f.number("low")),
-                    high = fmt::format("{:.0f}", 100.0 * f.number("high"));
-  return fmt::format("Without the specimen itself, the maps predict its {} to within {}{} %.",
-                     f.names.front(), low == high ? "" : low + " to ", high);
+  return fmt::format("Without the specimen itself, the maps predict its {} to within {} %.", f.names.front(),
+                     range_text(100.0 * f.number("low"), 100.0 * f.number("high"), "{:.0f}"));
 }
 
 const std::vector<Wording> forecasts = {
@@ -51,14 +49,7 @@ const std::vector<Wording> forecasts = {
     {Kind::forecast_unresolved,
      [](F f) { return forecast(f, "meet the table, with too few specimens to show it"); }},
     {Kind::forecast_out_of_reach, [](F f) { return forecast(f, "end out of reach"); }},
-    {Kind::forecast_missed,
-     [](F f) {
-       const Property p = f.cells.front().property;
-       const double model = f.number("model"), laboratory = f.number("laboratory");
-       const double off = measured(p).absolute ? model - laboratory : model / laboratory - 1.0;
-       return fmt::format("expected {} too {}.", miss_text(p, std::fabs(off)), off < 0.0 ? "low" : "high");
-     },
-     true},
+    {Kind::forecast_missed, [](F f) { return "expected " + miss_text(f) + "."; }, true},
     {Kind::forecast_beyond_map,
      [](F) -> std::string {
        return "E lies where nothing was mapped, though planes in an isotropic rock have such E.";
@@ -90,7 +81,7 @@ const std::vector<Wording>& words_of_maps() {
         {Kind::map_nearest,
          [](F f) {
            return fmt::format(
-               "Of {:.0f} mapped specimens with {} the nearest misses E and strengths by {} (rms, "
+               "Of {:.0f} mapped specimens with {} the nearest misses the table by {} (rms, "
                "scales free).",
                f.number("specimens"), f.names.front(), percent_text(f.number("error")));
          }},

@@ -25,18 +25,8 @@ std::vector<double> each(F f, std::string_view name) {
   return values;
 }
 
-/// "K_Ic (38 mm)", "sigma_1 (10 MPa)": of what was tested.
-std::string test_of(const Cell& c) {
-  std::string own;
-  if (c.diameter > 0.0) own = fmt::format("{:g} mm", c.diameter * 1e3);
-  if (c.confining > 0.0) own += fmt::format("{}{:.3g} MPa", own.empty() ? "" : ", ", c.confining * 1e-6);
-  return own.empty() ? to_string(c.property) : fmt::format("{} ({})", to_string(c.property), own);
-}
-/// " at 45 degrees"; a rock without bedding has no angles.
-std::string angle_of(const Cell& c) {
-  return std::isfinite(c.theta) ? fmt::format(" at {:g} degrees", c.theta) : "";
-}
-std::string name_of(const Cell& c) { return test_of(c) + angle_of(c); }
+std::string angle_of(const Cell& c) { return at_text({c.theta}); }
+std::string name_of(const Cell& c) { return cells_text({c}); }
 
 /// "E is 0.023 GPa at 0 degrees and 0.015 GPa at 45 degrees": cells of one property.
 template <class Text>
@@ -82,7 +72,7 @@ std::string modulus_ratio(F f) {
 }
 
 std::string unusual_tension(F f) {
-  const auto ratio = [](const Cell& c, double v) { return fmt::format("{} {:.2g}", test_of(c), v); };
+  const auto ratio = [](const Cell& c, double v) { return fmt::format("{} {:.2g}", test_text(c), v); };
   return say(f, "{}; most rocks have about 0.1.", values_of(f, "ratio", "Tension over UCS", ratio));
 }
 
@@ -218,9 +208,10 @@ std::string scatter_assumed(F f) {
   const Property p = f.cells.front().property;
   const std::string least = miss_text(p, f.number("least")), most = miss_text(p, f.number("most"));
   return say(f,
-             "{}: the table says little of the scatter of {} of {:.0f} cells. Single specimens are taken to "
+             "{}: the table says little of the scatter of {} of {}. Single specimens are taken to "
              "scatter by {}.",
-             to_string(p), f.cells.size(), f.number("of"), least == most ? least : least + " to " + most);
+             to_string(p), f.cells.size(), counted_text(f.number("of"), "cell"),
+             least == most ? least : least + " to " + most);
 }
 
 /// "nu at 0 degrees is 0.150 (0.075 wanted, 7.5 standard errors)"
@@ -300,8 +291,8 @@ const std::vector<Wording> doubts = {
      }},
     {Kind::not_converted,
      [](F f) {
-       return say(f, "{}: not converted from plane strain, for want of E at the same angle.",
-                  std::isfinite(f.cells[0].theta) ? cells_text(f.cells) : test_of(f.cells[0]));
+       return say(f, "{}: not converted from plane strain, for want of E of the same test.",
+                  cells_text(f.cells));
      }},
 };
 

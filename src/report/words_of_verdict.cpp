@@ -18,8 +18,7 @@ std::string largest_misses(const Calibration& c) {
     double most = -1.0;
     for (const Comparison& fit : c.fitted) {
       const Comparison& row = judged(c, fit);
-      if (fit.target.property == p && row.answered())
-        most = std::max(most, std::fabs(p == Property::nu ? row.mean - row.target.mean : row.error()));
+      if (fit.target.property == p && row.answered()) most = std::max(most, std::fabs(miss(row)));
     }
     if (most >= 0.0) items.push_back(fmt::format("{} within {}", to_string(p), miss_text(p, most)));
   }
@@ -29,11 +28,11 @@ std::string largest_misses(const Calibration& c) {
 /// Which parameters of a model that meets its table are known.
 std::string known(const Calibration& c) {
   if (c.method == CalibrationMethod::sequence) return " A sequence does not report what its data leave open.";
-  std::vector<std::string> open;
-  for (const ParameterEstimate& e : c.parameters)
-    if (e.open()) open.push_back(e.symbol);
-  return open.empty() ? " The data determine every parameter."
-                      : fmt::format(" The data do not determine {}.", list_text(open));
+  if (const std::string open = open_parameters(c); !open.empty())
+    return fmt::format(" The data do not determine {}.", open);
+  const bool all = std::all_of(c.parameters.begin(), c.parameters.end(),
+                               [](const ParameterEstimate& e) { return e.has_interval(); });
+  return all ? " The data determine every fitted parameter." : "";
 }
 
 /// "73 % of the misfit is in BTS.", then the cause; causes without a share stand alone.
@@ -58,12 +57,12 @@ std::string first_words(const Calibration& c) {
                          known(c));
     case VerdictStatus::not_resolved:
       return fmt::format(
-          "Not resolved. The model has {} of the table, but for {} of {} values too few specimens or too "
+          "Not resolved. The model has {} of the table, but for {} of {} too few specimens or too "
           "different packings hide errors that matter.",
-          largest_misses(c), unresolved, c.fitted.size());
+          largest_misses(c), unresolved, counted_text(static_cast<double>(c.fitted.size()), "value"));
     case VerdictStatus::calibrated_except:
       return unresolved == 0 ? "Calibrated, with exceptions."
-                             : fmt::format("Calibrated, with exceptions; {} of {} values are not resolved.",
+                             : fmt::format("Calibrated, with exceptions; not resolved: {} of {} values.",
                                            unresolved, c.fitted.size());
     case VerdictStatus::out_of_reach: return "Out of reach.";
     case VerdictStatus::interrupted: break;

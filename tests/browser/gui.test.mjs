@@ -2,16 +2,14 @@
 // `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser. The tests follow one another on one small rock, whose specimens
 // take long enough to be seen in the press: what is shown of it is written once in a second.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
+import { launch, startGui, stopGui, within } from "./pages.mjs";
 
-const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
 const folder = mkdtempSync(join(tmpdir(), "phyllite-gui-"));
 const file = (name) => readFileSync(join(folder, name), "utf8");
 const model = `[specimen]\nwidth = "15 mm"\nheight = "30 mm"\n[packing]\nn_grains = 1160\n[[bedding]]\nspacing = "3 mm"\nrule = "crossing"\n[engine]\nprecision = "float"\n`;
@@ -22,18 +20,11 @@ let program;
 let address;
 let page; // the tab that most is done in
 
-/** Starts the program and waits for the address that it prints. */
+/** Waits for the address that the program prints. */
 function start(port = 0) {
-  program = spawn(phyllite, ["--threads", "2", "gui", folder, "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
-  return new Promise((resolve, reject) => {
-    let said = "";
-    program.stdout.on("data", (bytes) => {
-      said += bytes;
-      const found = said.match(/http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/);
-      if (found) resolve(found[0]);
-    });
-    program.on("exit", (code) => reject(new Error(`ended with ${code}: ${said}`)));
-  });
+  const started = startGui(folder, port);
+  program = started.program;
+  return started.address;
 }
 
 /** Whatever goes wrong on a page or wants another address is in `trouble`. */
@@ -62,26 +53,17 @@ const setTable = async (text, tab = page) => {
   if (await button("Edit as text", tab).isVisible()) await button("Edit as text", tab).click();
   await box("Table as text", tab).fill(text);
 };
-const within = async (seconds, holds) => {
-  for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
-    if (await holds()) return;
-    await new Promise((next) => setTimeout(next, 100));
-  }
-  assert.ok(await holds(), String(holds));
-};
 
 before(async () => {
   writeFileSync(join(folder, "model.toml"), model);
   address = await start();
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+  browser = await launch();
   page = await open(await newContext());
 });
 
 after(async () => {
   await browser?.close();
-  program?.removeAllListeners("exit");
-  program?.kill("SIGINT");
-  await new Promise((gone) => (program && program.exitCode === null ? program.on("exit", gone) : gone()));
+  await stopGui(program);
   rmSync(folder, { recursive: true, force: true });
 });
 

@@ -1,14 +1,12 @@
 // The page of `phyllite gui` where time, an answer or a file of another moment is needed: answers of the program are delayed or changed on
 // their way to the page, and a calibration is laid down instead of computed. `make browser` runs it with the other pages.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
+import { assertFocusIsSeen, launch, startGui, stopGui, within } from "./pages.mjs";
 
-const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
 const folder = mkdtempSync(join(tmpdir(), "phyllite-gui-"));
 const headings = "theta [deg];E [GPa];nu;UCS [MPa];DTS [MPa];specimen;depth of the core in the borehole;remark of the laboratory\n";
 const table = `${headings}0;8,9;0,2;92,5;3,1;S1;12,5;dry\n45;7,3;0,25;56,5;;S2;13,1;dry\n90;53,6;0,21;102,5;;S3;14;dry\n`;
@@ -32,17 +30,10 @@ before(async () => {
   writeFileSync(join(folder, "slate-calibration/calibrated.toml"), calibrated);
   writeFileSync(join(folder, "slate-calibration/calibration.json"), JSON.stringify({ format: 2, rock: "slate", verdict }));
   writeFileSync(join(folder, "slate-calibration/tables.txt"), "UCS 12 % off\n");
-  program = spawn(phyllite, ["--threads", "2", "gui", folder, "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
-  address = await new Promise((resolve, reject) => {
-    let said = "";
-    program.stdout.on("data", (bytes) => {
-      said += bytes;
-      const found = said.match(/http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/);
-      if (found) resolve(found[0]);
-    });
-    program.on("exit", (code) => reject(new Error(`ended with ${code}: ${said}`)));
-  });
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+  const started = startGui(folder);
+  program = started.program;
+  address = await started.address;
+  browser = await launch();
 });
 
 after(async () => {
@@ -51,9 +42,7 @@ after(async () => {
     await context.close();
   }
   await browser?.close();
-  program?.removeAllListeners("exit");
-  program?.kill("SIGINT");
-  await new Promise((gone) => (program && program.exitCode === null ? program.on("exit", gone) : gone()));
+  await stopGui(program);
   rmSync(folder, { recursive: true, force: true });
 });
 
@@ -72,14 +61,6 @@ async function open({ changed, ...options } = {}) {
   await page.getByRole("heading", { name: "Table", exact: true }).waitFor();
   return page;
 }
-
-const within = async (seconds, holds) => {
-  for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
-    if (await holds()) return;
-    await new Promise((next) => setTimeout(next, 100));
-  }
-  assert.ok(await holds(), String(holds));
-};
 
 const cell = (page, line, column) => page.locator(`.sheet input[data-line="${line}"][data-column="${column}"]`);
 const asText = async (page) => {
@@ -294,15 +275,5 @@ test("wherever the focus is, it is seen", async () => {
   const page = await open();
   await page.getByText("No problems").waitFor();
   await page.evaluate(() => document.activeElement.blur());
-  const unseen = new Set();
-  for (let i = 0; i < 120; ++i) {
-    await page.keyboard.press("Tab");
-    const found = await page.evaluate(() => {
-      const e = document.activeElement;
-      const style = getComputedStyle(e);
-      return e === document.body || (style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2) ? "" : e.outerHTML.slice(0, 120);
-    });
-    if (found) unseen.add(found);
-  }
-  assert.deepEqual([...unseen], []);
+  await assertFocusIsSeen(page, 120);
 });

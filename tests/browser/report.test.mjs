@@ -6,9 +6,8 @@ import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSyn
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
+import { assertFocusIsSeen, launch, phyllite, within } from "./pages.mjs";
 
-const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
 const folder = mkdtempSync(join(tmpdir(), "phyllite-browser-"));
 const hostile = `</script><b id='bad'>rock & <!-- "co" 'al'`;
 let browser;
@@ -45,14 +44,6 @@ async function open(result, options = {}) {
   return page;
 }
 
-const within = async (seconds, holds) => {
-  for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
-    if (await holds()) return;
-    await new Promise((next) => setTimeout(next, 50));
-  }
-  assert.ok(await holds(), String(holds));
-};
-
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Number of colours in an element as it is seen, and a fingerprint of all its pixels. */
@@ -77,10 +68,7 @@ before(async () => {
   press = run("press", recipe(hostile, small) + `angles = ["0 deg", "45 deg"]\n`);
   const angles = [0, 15, 30, 45, 60, 75, 90].map((a) => `"${a} deg"`).join(", ");
   many = run("many", recipe("many", "n_grains = 7481").replace("intact = true", "intact = false") + `angles = [${angles}]\nmax_strain = 2e-4\n[engine]\nprecision = "float"\n`);
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  });
+  browser = await launch("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader");
   pictures = await browser.newPage();
 });
 
@@ -368,18 +356,7 @@ test("charts that are not drawn yet are drawn for paper", async () => {
 });
 
 test("wherever the focus is, it is seen", async () => {
-  const page = await open(press);
-  const unseen = new Set();
-  for (let i = 0; i < 60; ++i) {
-    await page.keyboard.press("Tab");
-    const found = await page.evaluate(() => {
-      const e = document.activeElement;
-      const style = getComputedStyle(e);
-      return e === document.body || (style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2) ? "" : e.outerHTML.slice(0, 120);
-    });
-    if (found) unseen.add(found);
-  }
-  assert.deepEqual([...unseen], []);
+  await assertFocusIsSeen(await open(press), 60);
 });
 
 /** Points at every mark of a chart, and takes what is said. */

@@ -40,6 +40,13 @@ export interface Comparison {
   jaeger?: number | null; // of UCS: plane of weakness
 }
 
+/** A measured property as people read it. */
+export interface Property {
+  axis: string;
+  unit: string;
+  factor: number; // from SI
+}
+
 /** What was found: its kind and what belongs to it are data, the text is for people. */
 export interface Finding {
   kind: string;
@@ -133,6 +140,7 @@ interface RawReport {
   done: { kind: string; kept: string | null; stress: number }; // test, and the stress [Pa] that it keeps, by its key
   tests: RawTest[];
   missing: { name: string; reason: string }[];
+  properties: Record<string, Property>; // by name, in the order of tables
   calibration: Calibration | null;
   figures: Figures;
   effects: string[][]; // effects.csv of a study, header first; empty: none

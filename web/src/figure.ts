@@ -51,7 +51,7 @@ export interface Figure {
 export const axis = (quantity: string, unit: string, low: number, high: number, more: Partial<Axis> = {}): Axis => ({ quantity, unit, low, high, step: 0, logarithmic: false, names: [], ...more });
 export const series = (mark: Series["mark"], role: string, some: { x: number[] } & Partial<Series>): Series => ({ name: "", mark, role, number: 0, shade: null, strong: false, right: false, width: 0, item: -1, y: [], low: [], high: [], text: [], ...some });
 
-export const axisLabel = (a: Axis) => (a.unit ? `${a.quantity} [${a.unit}]` : a.quantity);
+export const axisLabel = (a: { quantity: string; unit: string }) => (a.unit ? `${a.quantity} [${a.unit}]` : a.quantity);
 
 // --- looks ---------------------------------------------------------------------------------------------------
 

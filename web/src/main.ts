@@ -2,7 +2,7 @@
 import { Calibration, Comparison, Estimate, Column, Line, Report, Test, lastUpTo, readReport } from "./data";
 import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
 import { Drawn, Figure, Panel, axisLabel, draw, legend } from "./figure";
-import { friendly, scales } from "./units";
+import { friendly } from "./units";
 import { Field, Viewer, headHeight, ramps } from "./viewer";
 
 const report: Report = readReport();
@@ -442,10 +442,10 @@ function comparisonTable(rows: Comparison[], caption: string): Child {
     caption,
     heads,
     rows.map((r) => {
-      const f = (v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
+      const f = (v: number | null) => (v === null ? "–" : (v * report.properties[r.property].factor).toPrecision(4));
       const { mean, sd, n } = r.laboratory;
       const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? (v - mean).toFixed(3) : `${(100 * (v / mean - 1)).toFixed(1)} %`);
-      return [(scales[r.property]?.[1] ?? r.property) + particulars(r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([key]) => error(r[key]))];
+      return [named(report.properties[r.property].axis, r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([key]) => error(r[key]))];
     }),
     caption,
   );
@@ -471,11 +471,11 @@ function angleTable(c: Calibration): HTMLElement {
   const digits = (v: number) => (Math.abs(v) >= 99.95 ? v.toFixed(0) : Math.abs(v) >= 9.995 ? v.toFixed(1) : Math.abs(v) >= 0.9995 ? v.toFixed(2) : v.toFixed(3));
   const lines = [...new Set(rows.map(testOf))].flatMap((k): Child[][] => {
     const some = rows.filter((r) => testOf(r) === k);
-    const [factor, label] = scales[some[0].property] ?? [1, some[0].property];
+    const { factor } = report.properties[some[0].property];
     const cells = (f: (r: Comparison) => string) => angles.map((a) => some.filter((r) => r["theta [deg]"] === a).map(f)[0] ?? "–");
     const error = (r: Comparison) => (r.model === null ? "–" : r.property === "nu" ? signed(r.model - r.laboratory.mean, 2) : signed(100 * (r.model / r.laboratory.mean - 1), 1));
     return [
-      [short(label) + particulars(some[0]) + (alone(c).includes(some[0]) ? ", not fitted" : ""), ...cells((r) => digits(r.laboratory.mean * factor))],
+      [named(symbol(some[0].property), some[0]) + (alone(c).includes(some[0]) ? ", not fitted" : ""), ...cells((r) => digits(r.laboratory.mean * factor))],
       [h("span", { class: "muted" }, "model"), ...cells((r) => (r.model === null ? "–" : digits(r.model * factor)))],
       [h("span", { class: "muted" }, some[0].property === "nu" ? "error" : "error, %"), ...cells(error)],
     ];
@@ -493,14 +493,17 @@ function judged(c: Calibration): Comparison[] {
 const alone = (c: Calibration) => c.compared ?? [];
 
 const signed = (v: number, digits: number) => `${v < 0 ? "−" : "+"}${Math.abs(v).toFixed(digits)}`;
-const short = (label: string) => label.replace("direct tensile strength", "DTS").replace("Brazilian strength", "BTS");
+/** Where there is little room. */
+const symbol = (name: string) => (report.properties[name].axis.includes(" ") ? name : report.properties[name].axis);
+/** With its unit and what the test has of its own. */
+const named = (name: string, r: Comparison) => axisLabel({ quantity: name, unit: report.properties[r.property].unit }) + particulars(r);
 
 /** Root mean squares, yardsticks below, and what it cost. */
 function errorTable(c: Calibration): Child {
   if (!c.errors) return null;
-  const properties = Object.keys(scales).filter((p) => c.errors!.some((e) => typeof e[p] === "number"));
+  const properties = Object.keys(report.properties).filter((p) => c.errors!.some((e) => typeof e[p] === "number"));
   const cell = (v: number | string | undefined, p: string) => (typeof v !== "number" ? "–" : p === "nu" ? v.toFixed(3) : `${(100 * v).toFixed(1)}\u00a0%`);
-  return table("Root mean square errors", ["root mean square error", ...properties.map((p) => (p === "nu" ? "ν" : p === "sigma_1" ? "σ₁" : p === "sigma_ci" ? "σci" : p))], c.errors.map((e) => [e.of, ...properties.map((p) => cell(e[p], p))]), "Errors, beside much simpler rules");
+  return table("Root mean square errors", ["root mean square error", ...properties.map(symbol)], c.errors.map((e) => [e.of, ...properties.map((p) => cell(e[p], p))]), "Errors, beside much simpler rules");
 }
 
 function cost(c: Calibration): Child {

@@ -1,8 +1,5 @@
 // Quantities as they are printed.
 
-/** Of each property: the factor from SI and its label. */
-export const scales: Record<string, [number, string]> = { E: [1e-9, "E [GPa]"], nu: [1, "ν"], UCS: [1e-6, "UCS [MPa]"], DTS: [1e-6, "direct tensile strength [MPa]"], BTS: [1e-6, "Brazilian strength [MPa]"], sigma_1: [1e-6, "σ₁ at the peak [MPa]"], sigma_ci: [1e-6, "crack initiation σci [MPa]"], K_Ic: [1e-6, "fracture toughness K_Ic [MPa√m]"], I_s50: [1e-6, "point load strength I_s(50) [MPa]"] };
-
 /** Factor and unit in which a value is best read. */
 export function readable(value: number, unit: string): [number, string] {
   if (unit === "1") return [1, ""];

@@ -1,7 +1,6 @@
 // What the check says of the table: how it was read, what it holds, what it determines.
 import { Child, fold, h, table } from "../dom";
 import { axisLabel, draw, legend } from "../figure";
-import { scales } from "../units";
 import { argument, command, counted, keyed, plainly } from "./controls";
 import { Figures } from "./figures";
 import { Checked, Finding, Target, isUnbedded } from "./server";
@@ -12,20 +11,17 @@ export interface FindingsView {
   show(checked: Checked, words: string): void;
 }
 
-/** What is drawn in one chart: a property, of one confining stress and one size of disc. */
-const title = (t: Target) => (scales[t.property]?.[1] ?? t.property) + (t.confining ? `, ${+(1e-6 * t.confining).toPrecision(3)} MPa` : "") + (t.diameter ? `, ${+(1e3 * t.diameter).toPrecision(3)} mm` : "");
-
 const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, plainly(s)))) : null);
 
 const texts = (findings: Finding[]) => findings.map((f) => f.text);
 
 /** `angles`: rocks without layers have none. */
 function numbers(targets: Target[], angles: boolean): HTMLElement {
-  const shown = (t: Target, v: number | null) => (v === null ? "–" : (v * (scales[t.property]?.[0] ?? 1)).toPrecision(4));
+  const shown = (t: Target, v: number | null) => (v === null ? "–" : (v * t.factor).toPrecision(4));
   return table(
     "Means of the laboratory",
     ["property", ...(angles ? ["θ [°]"] : []), "mean", "± SD", "specimens", "95 % of the mean"],
-    targets.map((t) => [title(t), ...(angles ? [String(t.theta)] : []), shown(t, t.mean), shown(t, t.sd), String(t.n), `${shown(t, t.low)} … ${shown(t, t.high)}`]),
+    targets.map((t) => [t.title, ...(angles ? [String(t.theta)] : []), shown(t, t.mean), shown(t, t.sd), String(t.n), `${shown(t, t.low)} … ${shown(t, t.high)}`]),
   );
 }
 

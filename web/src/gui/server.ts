@@ -127,6 +127,8 @@ export interface Problem {
 
 export interface Target {
   property: string;
+  title: string; // with its unit, size and stress
+  factor: number; // from SI to that unit
   theta: number;
   mean: number;
   sd: number | null;
