@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "base/nan.hpp"
 #include "calibrate/by_model.hpp"
 #include "calibrate/model_trial.hpp"
 #include "maps/placing.hpp"
+#include "survey/cells.hpp"
 #include "verdict/causes.hpp"
 #include "verdict/margin.hpp"
 
@@ -212,16 +212,6 @@ SimulatorCount operator-(const SimulatorCount& a, const SimulatorCount& b) {
   return {a.tests - b.tests, a.tension - b.tension, a.coarse - b.coarse, a.solutions - b.solutions};
 }
 
-/// As findings of its table: the angle of a rock without bedding is nobody's.
-void leave_out_angles(Calibration& c) {
-  Verdict& v = c.verdict;
-  const auto leave_out = [](Finding& f) {
-    for (Cell& cell : f.cells) cell.theta = nan;
-  };
-  for (auto* list : {&v.findings, &v.causes, &c.notes}) std::for_each(list->begin(), list->end(), leave_out);
-  leave_out(v.next);
-}
-
 Verdict stopped_by_user() { return {VerdictStatus::interrupted, {{FindingKind::stopped}}}; }
 
 }  // namespace
@@ -251,7 +241,10 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   if (result.verdict.status == VerdictStatus::out_of_reach && result.rival &&
       result.verdict.next.advice != Advice::try_rival)  // something better was advised
     result.notes.push_back(*result.rival);
-  if (!evidence.rock.bedded) leave_out_angles(result);
+  Verdict& v = result.verdict;
+  for (auto* list : {&v.findings, &v.causes, &result.notes})
+    *list = survey::cells_in(evidence.rock, std::move(*list));
+  v.next = survey::cells_in(evidence.rock, {v.next}).front();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

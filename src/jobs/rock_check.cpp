@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 #include "base/text_table.hpp"
 #include "maps/candidates.hpp"
 #include "maps/forecast.hpp"
 #include "maps/placing.hpp"
 #include "report/calibration_tables.hpp"
 #include "report/words.hpp"
+#include "survey/cells.hpp"
 #include "survey/closed_forms.hpp"
 #include "survey/doubts.hpp"
 #include "survey/identifiability.hpp"
@@ -30,9 +33,12 @@ RockCheck check(const Rock& read) {
     found.models.push_back(fmt::format("parameters as of {}; calibrate chooses between {}",
                                        maps::model_in_words(models.front()), maps::models_in_words(models)));
   if (const auto share = maps::assumed_share(read, models)) found.models.push_back(report::sentence(*share));
-  found.in_maps = report::sentences(maps::place_in_maps(evidence));
+  const auto sentences = [&](std::vector<Finding> findings) {
+    return report::sentences(survey::cells_in(read, std::move(findings)));
+  };
+  found.in_maps = sentences(maps::place_in_maps(evidence));
   if (const auto forecast = maps::forecast_of(as_read))
-    found.forecast = fmt::format("{}", fmt::join(report::sentences(maps::findings_of(*forecast)), " "));
+    found.forecast = fmt::format("{}", fmt::join(sentences(maps::findings_of(*forecast)), " "));
   return found;
 }
 

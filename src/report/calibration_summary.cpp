@@ -130,7 +130,8 @@ std::vector<std::string> summary_lines(const Calibration& c) {
            f.kind == FindingKind::ratio_missed;
   });
   for (std::string& line : sentences(others)) lines.push_back(std::move(line));
-  if (const std::string open = open_parameters(c); !open.empty())
+  const std::string open = open_parameters(c);
+  if (!open.empty() && c.verdict.status != VerdictStatus::calibrated)  // else the verdict says so
     lines.push_back(fmt::format("The data do not determine {}.", open));
   return lines;
 }

@@ -11,7 +11,8 @@ namespace phy::report {
 /// The row by which a value is judged: on unseen packings where there are some, else on those of the fit.
 const Comparison& judged(const Calibration& calibration, const Comparison& fitted);
 
-/// Gathered findings, then the parameters that the data leave open, then whatever is no cell's.
+/// What the sentence of the verdict leaves out: gathered findings, and the parameters that the data leave
+/// open.
 std::vector<std::string> summary_lines(const Calibration& calibration);
 
 /// The same on at most ten lines of the terminal; what does not fit is counted.
