@@ -188,13 +188,6 @@ std::vector<std::size_t> curve_points(const Plan& plan, std::size_t factor) {
   return points;
 }
 
-std::vector<LineFit> curve_lines(const Plan& plan, const Response& response, std::size_t factor) {
-  std::vector<LineFit> lines;
-  const std::vector<std::size_t> points = curve_points(plan, factor);
-  for (const std::vector<double>& y : response.values) lines.push_back(curve_line(plan, y, points, factor));
-  return lines;
-}
-
 std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::size_t factor) {
   const RecipeKey& key = plan.study.vary[factor].key;
   const std::string slope_unit = response.unit + " per " + key.unit();

@@ -76,9 +76,7 @@ std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::
 std::vector<Effect> beside_regressions(const Plan& plan, const Response& response, std::size_t factor,
                                        const std::vector<Effect>& effects);
 
-/// The line of a response over one parameter of a one_at_a_time study, by replicate.
-std::vector<LineFit> curve_lines(const Plan& plan, const Response& response, std::size_t factor);
-/// Its points in rising order of the parameter, the base among them.
+/// Points of the curve over one parameter of a one_at_a_time study, in rising order, the base among them.
 std::vector<std::size_t> curve_points(const Plan& plan, std::size_t factor);
 
 /// y = intercept + sum slope_k x_k over all points with a response.

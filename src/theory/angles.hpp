@@ -10,10 +10,8 @@
 
 namespace phy::theory {
 
-/// Angle between load axis and plane [deg] from the inclination theta [deg], and back (the rule is its own
-/// inverse).
+/// Angle between load axis and plane [deg] from the inclination theta [deg]; its own inverse.
 inline double beta_from_theta(double theta) { return 90.0 - theta; }
-inline double theta_from_beta(double beta) { return 90.0 - beta; }
 
 /// The inclination in [0, 90] that an axial test cannot tell from `theta` [deg]: its period is 180, and
 /// theta and 180 - theta are equal, because a mirror about the load axis changes neither modulus nor

@@ -6,7 +6,6 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 #include "base/polynomial.hpp"
-#include "theory/angles.hpp"
 
 namespace phy::theory {
 namespace {
@@ -109,13 +108,6 @@ DiscStress AnisotropicDisc::mean(double radius) const {
   }
   constexpr double n = rings * places;
   return {sum.x / n, sum.y / n, sum.xy / n};
-}
-
-double claesson_bohloli_tension(const TransverseIsotropy& m, double theta, double P, double diameter) {
-  const double b = 0.5 * std::sqrt(m.E * m.E_n) * (1.0 / m.G_n - 2.0 * m.nu_n / m.E_n);
-  const double turn = beta_from_theta(theta) * pi / 180.0;
-  return 2.0 * P / (pi * diameter) *
-         (std::pow(m.E / m.E_n, -0.25 * std::cos(2.0 * turn)) - 0.25 * (b - 1.0) * std::cos(4.0 * turn));
 }
 
 }  // namespace phy::theory

@@ -55,11 +55,4 @@ class AnisotropicDisc {
   DiscStress uniform_;                     // the first harmonic, tension positive
 };
 
-/// Claesson & Bohloli's approximation of the principal tension in the middle under two point loads [Pa,
-/// positive], from the abstract of their paper:
-///   2P/(pi D) ( (E/E')^(-1/4 cos 2 theta_b) - (b - 1)/4 cos 4 theta_b ),  b = sqrt(E E')/2 (1/G' - 2 nu'/E')
-/// theta_b = 90 - theta: angle between load and planes [deg]. The copy of the abstract that was read has lost
-/// its minus signs. That of the exponent is ours: stiff planes across the load draw tension.
-double claesson_bohloli_tension(const TransverseIsotropy& m, double theta, double P, double diameter);
-
 }  // namespace phy::theory

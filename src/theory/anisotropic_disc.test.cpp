@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
+#include "theory/angles.hpp"
 #include "theory/hondros.hpp"
 
 namespace phy::theory {
@@ -61,6 +62,16 @@ TEST(AnisotropicDisc, CarriesTheLoadAcrossEveryDiameter) {
   constexpr int n = 2000;
   for (int k = 0; k < n; ++k) force += disc.at(D * ((k + 0.5) / n - 0.5), 0.0).y * D / n;
   EXPECT_NEAR(force, P, 1e-3 * P);
+}
+
+/// Claesson & Bohloli's principal tension in the middle under two point loads [Pa], from the abstract of
+/// their paper. The copy that was read has lost its minus signs. That of the exponent is ours: stiff planes
+/// across the load draw tension.
+double claesson_bohloli_tension(const TransverseIsotropy& m, double theta, double P, double diameter) {
+  const double b = 0.5 * std::sqrt(m.E * m.E_n) * (1.0 / m.G_n - 2.0 * m.nu_n / m.E_n);
+  const double turn = beta_from_theta(theta) * pi / 180.0;
+  return 2.0 * P / (pi * diameter) *
+         (std::pow(m.E / m.E_n, -0.25 * std::cos(2.0 * turn)) - 0.25 * (b - 1.0) * std::cos(4.0 * turn));
 }
 
 // "Reasonably accurate", says the paper: its principal tension under point loads, beside small arcs.

@@ -92,7 +92,7 @@ TEST(Goodman, PlanesThatOnlySlipAreWeakestAt45) {
 
 TEST(Angles, BetaIsTheComplement) {
   EXPECT_EQ(beta_from_theta(30.0), 60.0);
-  EXPECT_EQ(theta_from_beta(beta_from_theta(12.5)), 12.5);
+  EXPECT_EQ(beta_from_theta(beta_from_theta(12.5)), 12.5);
 }
 
 TEST(Angles, FoldingKeepsWhatAnAxialTestSees) {

@@ -127,37 +127,4 @@ PlaneConstants body_from_plane_strain(const PlaneConstants& seen) {
   return {seen.E * (1.0 - nu * nu), nu};
 }
 
-TransverseIsotropy ti_from_stiffness(const TiStiffness& C) {
-  // C_12 = C_11 - 2 C_66: transverse isotropy has five constants.
-  const double b = C.C_11 * C.C_33 - C.C_13 * C.C_13;
-  TransverseIsotropy m;
-  m.E = 4.0 * C.C_66 * (b - C.C_66 * C.C_33) / b;
-  m.E_n = C.C_33 - C.C_13 * C.C_13 / (C.C_11 - C.C_66);
-  m.nu = (b - 2.0 * C.C_66 * C.C_33) / b;
-  m.nu_n = C.C_13 / (2.0 * (C.C_11 - C.C_66));
-  m.G_n = C.C_44;
-  return m;
-}
-
-TiStiffness stiffness_from_ti(const TransverseIsotropy& m) {
-  const double q = m.nu_n * m.nu_n * m.E / m.E_n;
-  const double b = 1.0 - m.nu - 2.0 * q;
-  PHY_CHECK(b > 0.0, "constants with positive strain energy");
-  TiStiffness C;
-  C.C_11 = m.E * (1.0 - q) / ((1.0 + m.nu) * b);
-  C.C_33 = m.E_n * (1.0 - m.nu) / b;
-  C.C_13 = m.nu_n * m.E / b;
-  C.C_44 = m.G_n;
-  C.C_66 = m.E / (2.0 * (1.0 + m.nu));
-  return C;
-}
-
-TiStiffness stiffness_from_thomsen(double C_33, double C_44, double epsilon, double gamma, double delta) {
-  const double d = C_33 - C_44;
-  // Thomsen (1986), delta solved for C_13; the positive root, as in every rock.
-  const double square = 2.0 * delta * C_33 * d + d * d;
-  PHY_CHECK(C_44 > 0.0 && d > 0.0 && square >= 0.0, "Thomsen parameters of an elastic body");
-  return {C_33 * (1.0 + 2.0 * epsilon), C_33, C_44, C_44 * (1.0 + 2.0 * gamma), std::sqrt(square) - C_44};
-}
-
 }  // namespace phy::theory

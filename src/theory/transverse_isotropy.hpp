@@ -12,9 +12,8 @@
 // theta: inclination of the planes, load along y (theory/angles.hpp). Sources: B. Amadei, "Importance of
 // anisotropy when estimating and measuring in situ stresses in rock", IJRMMS 33 (1996) 293-325, for the
 // constants and the notation; S.G. Lekhnitskii, "Theory of Elasticity of an Anisotropic Elastic Body",
-// Holden-Day, 1963, for the rotation; L. Thomsen, "Weak elastic anisotropy", Geophysics 51 (1986) 1954-1966,
-// for epsilon, delta, gamma. The formulas are re-derived in transverse_isotropy.test.cpp by rotating the
-// compliance matrix. docs/theory/transverse-isotropy.md
+// Holden-Day, 1963, for the rotation. The formulas are re-derived in transverse_isotropy.test.cpp by rotating
+// the compliance matrix. docs/theory/transverse-isotropy.md
 #pragma once
 #include "theory/goodman.hpp"
 
@@ -100,19 +99,5 @@ PlaneConstants seen_in_plane_strain(const PlaneConstants& body);
 /// The body whose plane-strain test shows (E_2D, nu_2D): nu = nu_2D/(1+nu_2D), E = E_2D (1-nu^2).
 /// Joint terms of Eq. 1 are the same in both readings; only 1/E changes.
 PlaneConstants body_from_plane_strain(const PlaneConstants& seen);
-
-/// Stiffness in the axes of the bedding, axis 3 = normal, as seismologists write it [Pa]; C_12 = C_11 - 2
-/// C_66.
-struct TiStiffness {
-  double C_11 = 0.0, C_33 = 0.0, C_44 = 0.0, C_66 = 0.0, C_13 = 0.0;
-};
-
-TransverseIsotropy ti_from_stiffness(const TiStiffness& C);
-TiStiffness stiffness_from_ti(const TransverseIsotropy& m);
-
-/// Stiffness from the two vertical moduli [Pa] and Thomsen's parameters [-]: C_11 = C_33 (1 + 2 epsilon),
-/// C_66 = C_44 (1 + 2 gamma), (C_13 + C_44)^2 = 2 delta C_33 (C_33 - C_44) + (C_33 - C_44)^2 (larger root).
-/// Needs C_33 > C_44 > 0 and a right side >= 0.
-TiStiffness stiffness_from_thomsen(double C_33, double C_44, double epsilon, double gamma, double delta);
 
 }  // namespace phy::theory
