@@ -1,7 +1,5 @@
 #include "calibrate/toughness.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
