@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "base/check.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/eq2.hpp"
 #include "calibrate/posterior_ensemble.hpp"

@@ -212,16 +212,10 @@ SimulatorCount operator-(const SimulatorCount& a, const SimulatorCount& b) {
   return {a.tests - b.tests, a.tension - b.tension, a.coarse - b.coarse, a.solutions - b.solutions};
 }
 
-Verdict stopped_by_user() { return {VerdictStatus::interrupted, {{FindingKind::stopped}}}; }
-
 }  // namespace
 
-void check_possible(const Evidence& evidence, const CalibrationOptions& options) {
-  check_budget(evidence, options);
-}
-
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
-  check_possible(evidence, options);
+  check_budget(evidence, options);
   const auto start = std::chrono::steady_clock::now();
   const SimulatorCount before = simulator.count();
   Calibration result;
@@ -235,7 +229,7 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
     if (result.verdict.status != VerdictStatus::interrupted)
       run_for_pictures(attempt.pictures, simulator);  // which count for nothing
   } catch (const Stopped&) {                          // while the models were compared, or at the pictures
-    result.verdict = stopped_by_user();
+    result.verdict = {VerdictStatus::interrupted, {{FindingKind::stopped}}};
   }
   verdict::explain(result);
   if (result.verdict.status == VerdictStatus::out_of_reach && result.rival &&

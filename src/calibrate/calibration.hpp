@@ -12,10 +12,6 @@
 
 namespace phy::calibrate {
 
-/// Throws InputError where nothing of the table can be fitted, or the budget is too small: at once, and
-/// before anything is begun.
-void check_possible(const Evidence& evidence, const CalibrationOptions& options);
-
 /// What the physics do is never thrown: the verdict says it. InputError where there is nothing to fit, the
 /// budget is too small, the method cannot work with the rock (method.hpp) or the recipe's joints dilate too
 /// much. An interrupted calibration has VerdictStatus::interrupted.

@@ -43,7 +43,8 @@ std::int64_t tests_beside_search(const Evidence& evidence, bool read_in_tests);
 /// Fewest tests in compression; none where no strengths are fitted.
 std::int64_t least_tests(const Evidence& evidence, const CalibrationOptions& options);
 
-/// Throws InputError where nothing of the table can be fitted, or the budget is too small for any search.
+/// Throws InputError where nothing of the table can be fitted, or the budget is too small for any search: at
+/// once, and before anything is begun.
 void check_budget(const Evidence& evidence, const CalibrationOptions& options);
 
 }  // namespace phy::calibrate

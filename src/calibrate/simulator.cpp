@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 

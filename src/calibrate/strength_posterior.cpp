@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "base/check.hpp"
@@ -164,7 +165,7 @@ double StrengthPosterior::log_density(const Point& x, std::size_t left_out) cons
     if (i == left_out) continue;
     const Miss& m = all[i];
     const double common = i < targets_.size() ? common_variance(i, m.variance) : 0.0;
-    const double v = m.variance + m.scatter + discrepancy_of(m.property) - common;
+    const double v = m.variance + m.scatter + discrepancy(m.property) - common;
     sum -= 0.5 * (m.error * m.error / v + std::log(v)) + pull(m);
     alike += common / v, errors += std::sqrt(common) * m.error / v;
   }
@@ -177,16 +178,7 @@ double StrengthPosterior::common_variance(std::size_t target, double variance) c
 }
 
 double StrengthPosterior::pull(const Miss& m) const {
-  return discrepancy_of(m.property) > 0.0 ? std::fabs(m.error) / std::sqrt(m.scatter) : 0.0;
-}
-
-double StrengthPosterior::discrepancy(std::size_t target) const {
-  return discrepancy_of(targets_[target].property);
-}
-
-double StrengthPosterior::discrepancy_of(Property property) const {
-  const auto it = discrepancy_.find(property);
-  return it == discrepancy_.end() ? 0.0 : it->second;
+  return discrepancy(m.property) > 0.0 ? std::fabs(m.error) / std::sqrt(m.scatter) : 0.0;
 }
 
 bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
@@ -210,7 +202,7 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
   bool changed = false;
   for (const auto& [property, b] : beyond) {
     const double found = std::max(0.0, b.sum / b.n);
-    double& known = discrepancy_[property];
+    double& known = discrepancy_[static_cast<std::size_t>(property)];
     if (std::fabs(found - known) <= no_change * std::max(found, known)) continue;
     known = found, changed = true;
   }
@@ -269,7 +261,7 @@ double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (i == left_out || targets_[i].confining > 0.0) continue;
     const Surrogate::Value f = response(x, i);
-    const double w = 1.0 / (f.variance + tolerated(i));
+    const double w = 1.0 / (f.variance + (scatter_of(i) + discrepancy(targets_[i].property)));
     weight += w, sum += w * (std::log(targets_[i].mean) - f.mean);
   }
   if (weight == 0.0) return likeliest_sigma(x, left_out);

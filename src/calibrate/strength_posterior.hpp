@@ -20,8 +20,8 @@
 // laboratory reads them join the sum as far as moduli cannot follow what strengths make of them
 // (read_moduli.hpp).
 #pragma once
+#include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <vector>
 
@@ -83,14 +83,12 @@ class StrengthPosterior {
   /// The same from all targets, with the discrepancies that they ask for: what the best of the draws misses
   /// of a property beyond scatter and ignorance becomes part of its variances, and draws are made anew.
   std::vector<Point> draws_with_discrepancy(std::uint32_t seed, int length = 1);
-  /// d^2 of the property of a target.
-  double discrepancy(std::size_t target) const;
+  /// d^2.
+  double discrepancy(Property property) const { return discrepancy_[static_cast<std::size_t>(property)]; }
   /// The search aims at the laboratory's means as if no error were above half of the tolerance: where all of
   /// many draws lie within the scatter of few specimens, hardly one lies near every mean. From here on errors
   /// count in full, as the intervals have to.
   void use_full_errors();
-  /// What a logarithm of the laboratory may be off a rock of which all is known: scatter and discrepancy.
-  double tolerated(std::size_t target) const { return scatter_of(target) + discrepancy(target); }
 
   /// Squared relative standard error of the laboratory, as of a normal distribution.
   static double variance(const Target& t);
@@ -104,7 +102,7 @@ class StrengthPosterior {
   std::vector<LogBox> boxes_;  // of the parameters
   std::vector<double> least_;  // places of the ratios: -1, or what the recipe asks of them
   double middle_sigma_ = 0.0;  // logarithm
-  std::map<Property, double> discrepancy_;
+  std::array<double, n_properties> discrepancy_ = {};
   std::vector<double> variances_;  // of the targets
   const ReadModuli* read_ = nullptr;
   bool errors_count_ = false;
@@ -114,7 +112,6 @@ class StrengthPosterior {
   double scatter_of(std::size_t target) const {
     return counted(targets_[target].property, variances_[target]);
   }
-  double discrepancy_of(Property property) const;
   /// Of a model's variance, what all strengths in compression have in common because the same packings
   /// answered for them; none during the search, which asks where to look and not how much is known.
   double common_variance(std::size_t target, double variance) const;

@@ -146,7 +146,7 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
   std::vector<double> logs;
   for (std::size_t k = 0; k < draws.size(); ++k) {
     Surrogate::Value v = posterior.predict(draws[k], i);
-    v.variance += posterior.discrepancy(i);
+    v.variance += posterior.discrepancy(t.property);
     if (!left_out) {
       const double lab = StrengthPosterior::variance(t), sum = lab + v.variance;
       v = {(v.mean * lab + std::log(t.mean) * v.variance) / sum, v.variance * lab / sum};

@@ -14,9 +14,6 @@
 
 namespace phy::calibrate {
 
-/// True for the strengths that this program can test.
-inline bool can_test(Property property) { return measured(property).test != nullptr; }
-
 /// How tests are loaded. The way to the peak may begin with a fast approach (test.approach_strain).
 struct Loading {
   double speed;     ///< of the platens, over the one at which a wave crosses the specimen a hundred times

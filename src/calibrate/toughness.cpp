@@ -1,39 +1,22 @@
 #include "calibrate/toughness.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/nan.hpp"
 #include "base/units.hpp"
-#include "lab/semi_circular_bend/semi_circular_bend.hpp"
 #include "study/expected.hpp"
+#include "survey/half_discs.hpp"
 #include "verdict/grain_size.hpp"
 
 namespace phy::calibrate {
 namespace {
 
-constexpr double fewest_in_radius = 20.0;  // grains
-
-lab::BendSpecimen half_disc(const Recipe& recipe, const Target& target) {
-  Recipe one = recipe;
-  if (target.diameter > 0.0) one.test.disc_diameter = target.diameter;
-  return lab::bend_specimen(one);
-}
-
-/// Grains in a radius, rounding errors forgiven.
-double whole_grains(double radius, double grain_size) { return std::floor(radius / grain_size + 1e-9); }
-
-}  // namespace
-
-namespace {
-
 /// How many grains of another size the smallest half disc of the rows has in its radius.
 double in_radius(const std::vector<Comparison>& toughness, const Recipe& model, double grain_size) {
-  double R = half_disc(model, toughness.front().target).radius;
-  for (const Comparison& c : toughness) R = std::min(R, half_disc(model, c.target).radius);
-  return whole_grains(R, grain_size);
+  double R = infinity;
+  for (const Comparison& c : toughness) R = std::min(R, survey::radius_of(model, c.target));
+  return survey::grains_in(R, grain_size);
 }
 
 }  // namespace
@@ -52,7 +35,7 @@ std::vector<Finding> toughness_findings(const std::vector<Comparison>& toughness
                         {{"wanted", wanted},
                          {"grains", rounded(study::expected_grains(model) * std::pow(now / wanted, 2.0), 2)},
                          {"in_radius", in_radius(toughness, model, wanted)},
-                         {"fewest", fewest_in_radius}}});
+                         {"fewest", survey::fewest_in_radius}}});
   else
     findings.push_back({FindingKind::toughness_grains_unfit, {}, {{"wanted", wanted}, {"grain_size", now}}});
   return findings;

@@ -96,13 +96,11 @@ struct UnseenTests {
   std::vector<Comparison> strengths, moduli;
   std::vector<std::int64_t> packings;
 };
-UnseenTests run_unseen(const StageTask& task, const Strengths& found, const Recipe& pressed, Verified& v) {
+UnseenTests run_unseen(const StageTask& task, const StrengthFit& fit, const Pictures& pictures, Verified& v) {
   const Evidence& evidence = task.evidence;
   const bool read = task.scope.read_in_tests;
-  std::vector<Target> tests = evidence.strengths;
-  if (read) tests.insert(tests.end(), evidence.read_only.begin(), evidence.read_only.end());
-  TestSeries series(pressed, tests, task.packings.unseen.front(),
-                    of_verification(read, means_of(found.fit.fitted)), task.simulator);
+  TestSeries series(pictures.at_once ? pictures.recipe : fit.recipe, pictures.tests, pictures.packing,
+                    of_verification(read, means_of(fit.fitted)), task.simulator);
   UnseenTests unseen;
   std::vector<std::int64_t> next = task.packings.unseen;
   for (std::int64_t more = task.packings.next_unseen;; more += verification_packings) {
@@ -113,7 +111,7 @@ UnseenTests run_unseen(const StageTask& task, const Strengths& found, const Reci
     series.take(next);
     unseen.strengths = series.strengths();
     unseen.strengths.resize(evidence.strengths.size());
-    if (!takes_more_packings(task, found.fit.recipe, unseen.strengths, v)) break;
+    if (!takes_more_packings(task, fit.recipe, unseen.strengths, v)) break;
     next = seeds_from(more, verification_packings);
   }
   unseen.moduli = series.moduli(read ? evidence.rock.E_is : ModulusReading::tangent_50);
@@ -161,7 +159,7 @@ Verified verified(const StageTask& task, const Moduli& moduli, const Strengths& 
   if (read) tests.insert(tests.end(), task.evidence.read_only.begin(), task.evidence.read_only.end());
   pictures = {pictures.at_once, with_pictures(recipe), tests, task.packings.unseen.front()};
   pictures.recipe.name = task.evidence.rock.name + ", on a packing that the fit has not seen";
-  const UnseenTests unseen = run_unseen(task, strengths, pictures.at_once ? pictures.recipe : recipe, v);
+  const UnseenTests unseen = run_unseen(task, strengths.fit, pictures, v);
   if (read) {
     take_as_measured(v, task, strengths, unseen.moduli);
   } else {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "calibrate/plan.hpp"
+
 namespace phy::jobs {
 
 CalibrationJob::CalibrationJob(const Rock& rock, CalibrationRequest request)
@@ -9,7 +11,7 @@ CalibrationJob::CalibrationJob(const Rock& rock, CalibrationRequest request)
       evidence_(with_matrix(rock, request_)),
       options_(options_of(request_)),
       specimens_(request_.out) {
-  calibrate::check_possible(evidence_, options_);
+  calibrate::check_budget(evidence_, options_);
   // Last, as it writes: what is refused above leaves no folder behind.
   if (!request_.out.empty()) begun_.emplace(begin_calibration(evidence_, request_));
 }

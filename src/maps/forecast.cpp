@@ -45,13 +45,8 @@ const char* column_of(const Evidence& evidence, const MappedModel& model, const 
 }
 
 std::vector<Answer> answers_of(const Evidence& evidence, const MappedModel& model, int fold) {
-  // neighbouring angles of a table share a column, and a regression takes a while
-  std::map<std::string, MapRegression> made;
-  const auto of = [&](const char* name, double theta) {
-    const std::string column = column_at(model, name, theta);
-    const auto it = made.find(column);
-    if (it != made.end()) return it->second;
-    return made.emplace(column, MapRegression(map_of(model), column, fold)).first->second;
+  const auto of = [&](const char* column, double theta) -> const MapRegression& {
+    return regression_of(model, column_at(model, column, theta), fold);
   };
   std::vector<Answer> answers;
   for (const Target& t : evidence.targets) {
@@ -211,7 +206,7 @@ VerdictStatus status_of(const Forecast& f) {
                     : VerdictStatus::calibrated;
 }
 
-/// Names of tests that were not mapped, each once.
+/// What of the table was not mapped.
 std::vector<Target> unmapped(const Evidence& evidence, const MappedModel& model) {
   std::vector<Target> list;
   for (const Target& t : evidence.targets)

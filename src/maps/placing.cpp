@@ -168,17 +168,17 @@ std::optional<Finding> against_maps(const Evidence& evidence, const std::vector<
     return row != nullptr && row->answered() ? compared(t.property, row->mean) : nan;
   };
   ClosestMapped nearest{nullptr, 0, nan};
-  double own = nan;
   int n_points = 0, n_models = 0;
   for (const ClosestMapped& p : closest_mapped_in(tolerance_of, evidence)) {
     // a sparse map says little by what is not in it
     if (p.n_points < fewest_points) continue;
     n_points += p.n_points, ++n_models;
-    own = error_of(map_of(*p.model), evidence, tolerance_of, answer_to);
     if (!(p.error >= nearest.error)) nearest = p;
   }
-  if (nearest.model == nullptr || !std::isfinite(own)) return {};
+  if (nearest.model == nullptr) return {};
   const ResponseMap& table = map_of(*nearest.model);
+  const double own = error_of(table, evidence, tolerance_of, answer_to);
+  if (!std::isfinite(own)) return {};
   const bool with_nu = std::any_of(evidence.targets.begin(), evidence.targets.end(), [&](const Target& t) {
     return t.property == Property::nu && was_mapped(table, evidence, t);
   });

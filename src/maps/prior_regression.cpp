@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <utility>
 
 #include "base/check.hpp"
@@ -20,25 +17,9 @@ constexpr PriorWidth stand_in_width = {0.4, 0.2, 0.06};  // of direct tension of
 constexpr double toughness_alpha = 4.6;
 constexpr double usual_splitting = 0.5;  // BTS over sigma_c
 
-using LogAnswer = std::function<double(std::size_t row)>;
-
-/// Made once for what is asked of a model.
-const MapRegression& made_once(const MappedModel& model, const std::string& what, const LogAnswer& answer) {
-  static std::mutex mutex;  // several models are compared at once
-  static std::map<std::pair<std::string, std::string>, std::unique_ptr<MapRegression>> made;
-  const std::scoped_lock lock(mutex);
-  std::unique_ptr<MapRegression>& one = made[{model.name, what}];
-  if (!one) one = std::make_unique<MapRegression>(map_of(model), answer);
-  return *one;
-}
-
-const MapRegression& regression_of(const MappedModel& model, const std::string& column) {
-  return made_once(model, column, [&](std::size_t row) { return std::log(map_of(model).at(row, column)); });
-}
-
 /// Direct tension over Brazilian strength of bonds without layers.
 const MapRegression& tension_ratio_of(const MappedModel& intact) {
-  return made_once(intact, "DTS/BTS", [&table = map_of(intact)](std::size_t row) {
+  return regression_of(intact, "DTS/BTS", [&table = map_of(intact)](std::size_t row) {
     return std::log(table.at(row, "DTS/sigma_c") / table.at(row, "BTS/sigma_c"));
   });
 }
@@ -47,14 +28,14 @@ const MapRegression& tension_ratio_of(const MappedModel& intact) {
 const MapRegression& initiation_of(const MappedModel& model, double theta) {
   const std::string ucs = column_at(model, measured(Property::ucs).map.as_read, theta),
                     share = column_at(model, "sigma_ci/UCS", theta);
-  return made_once(model, share, [&table = map_of(model), ucs, share](std::size_t row) {
+  return regression_of(model, share, [&table = map_of(model), ucs, share](std::size_t row) {
     return std::log(table.at(row, ucs) * table.at(row, share));
   });
 }
 
 /// What confining stress adds to the strength, per unit of that stress, of bonds without layers.
 const MapRegression& growth_of(const MappedModel& intact) {
-  return made_once(intact, "growth", [&table = map_of(intact)](std::size_t row) {
+  return regression_of(intact, "growth", [&table = map_of(intact)](std::size_t row) {
     const double sigma_3 = table.at(row, "sigma_3/sigma_c #2");  // a quarter of UCS, median
     return std::log(1.0 + (table.at(row, "q/sigma_c #2") - table.at(row, "UCS/sigma_c")) / sigma_3);
   });

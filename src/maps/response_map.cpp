@@ -7,7 +7,10 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <span>
+#include <tuple>
 
 #include "base/check.hpp"
 #include "base/embedded.hpp"
@@ -217,6 +220,21 @@ MapRegression MapRegression::over(const std::vector<std::size_t>& open,
     for (std::size_t b = 0; b <= a; ++b)
       some.coefficients_.push_back(coefficients_[pair_of(n, open[a], open[b])]);
   return some;
+}
+
+const MapRegression& regression_of(const MappedModel& model, const std::string& what,
+                                   const std::function<double(std::size_t)>& log_answer, int fold) {
+  static std::mutex mutex;  // several models are compared at once
+  static std::map<std::tuple<std::string, std::string, int>, std::unique_ptr<MapRegression>> made;
+  const std::scoped_lock lock(mutex);
+  std::unique_ptr<MapRegression>& one = made[{model.name, what, fold}];
+  if (!one) one = std::make_unique<MapRegression>(map_of(model), log_answer, fold);
+  return *one;
+}
+
+const MapRegression& regression_of(const MappedModel& model, const std::string& column, int fold) {
+  return regression_of(
+      model, column, [&](std::size_t row) { return std::log(map_of(model).at(row, column)); }, fold);
 }
 
 double MapRegression::left_out_error(const ResponseMap& table, const std::string& column) {

@@ -78,4 +78,10 @@ class MapRegression {
   std::vector<double> coefficients_;  // as features_of() orders them
 };
 
+/// Made once for what is asked of a model; `what`: a name of the answer.
+const MapRegression& regression_of(const MappedModel& model, const std::string& what,
+                                   const std::function<double(std::size_t row)>& log_answer, int fold = -1);
+/// Likewise of a column.
+const MapRegression& regression_of(const MappedModel& model, const std::string& column, int fold = -1);
+
 }  // namespace phy::maps

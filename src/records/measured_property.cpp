@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/check.hpp"
-
 namespace phy {
 namespace {
 

@@ -108,8 +108,6 @@ std::optional<Property> property_of(std::string_view test, std::string_view numb
 inline const char* to_string(Property p) { return measured(p).name; }
 inline ShownUnit shown_unit(Property p) { return measured(p).shown; }
 inline std::string si_unit(Property p) { return inner_unit(measured(p).dimension); }
-inline bool is_of_discs(Property p) { return measured(p).of_discs; }
-inline bool is_read_before_ucs(Property p) { return measured(p).read_before == Property::ucs; }
 inline bool is_strength(Property p) { return measured(p).is_strength(); }
 inline bool is_tensile(Property p) { return measured(p).part == Part::tension; }
 inline bool is_compressive(Property p) { return measured(p).part == Part::compression; }

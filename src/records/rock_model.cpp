@@ -17,35 +17,21 @@ constexpr auto parallel = MatrixModel::parallel_bond, flat = MatrixModel::flat_j
 
 // an array of the language, in which an entry may name another
 const RockModel models[] = {
-    {.id = "parallel-bonds",
-     .layered = false,
-     .layers = LayerModel::planes,
-     .matrix = parallel,
-     .words = "parallel bonds",
-     .sentence = ""},
-    {.id = "flat-joints",
-     .layered = false,
-     .layers = LayerModel::planes,
-     .matrix = flat,
-     .words = "flat joints",
-     .sentence = ""},
-    {.id = "planes",
-     .layered = true,
+    {.layered = false, .layers = LayerModel::planes, .matrix = parallel, .words = "parallel bonds"},
+    {.layered = false, .layers = LayerModel::planes, .matrix = flat, .words = "flat joints"},
+    {.layered = true,
      .layers = LayerModel::planes,
      .matrix = parallel,
      .joints = true,
-     .words = "joints on planes",
-     .sentence = ""},
-    {.id = "directions",
-     .layered = true,
+     .words = "joints on planes"},
+    {.layered = true,
      .layers = LayerModel::directions,
      .matrix = parallel,
      .directions = true,
      .words = "directions of the bonds",
      .sentence = " The layers are represented by bonds whose stiffness and strength depend on their "
                  "direction."},
-    {.id = "planes-and-directions",
-     .layered = true,
+    {.layered = true,
      .layers = LayerModel::planes_and_directions,
      .matrix = parallel,
      .joints = true,
@@ -54,8 +40,7 @@ const RockModel models[] = {
      .sentence = " The layers are represented by smooth joints between bonds whose strength depends on "
                  "their direction.",
      .contains = &models[2]},
-    {.id = "planes-with-bridges",
-     .layered = true,
+    {.layered = true,
      .layers = LayerModel::planes_with_bridges,
      .matrix = parallel,
      .joints = true,
@@ -64,13 +49,11 @@ const RockModel models[] = {
      .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
                  "bridges.",
      .contains = &models[2]},
-    {.id = "planes-between-flat-joints",
-     .layered = true,
+    {.layered = true,
      .layers = LayerModel::planes,
      .matrix = flat,
      .joints = true,
-     .words = "joints on planes between flat joints",
-     .sentence = ""}};
+     .words = "joints on planes between flat joints"}};
 
 }  // namespace
 
@@ -95,8 +78,8 @@ std::string text_of(const RockModel& model, double jointed_share) {
 }
 
 const char* to_string(LayerModel model) {
-  constexpr std::array<const char*, n_layer_models> words = {"choose", "planes", "directions",
-                                                             "planes and directions", "planes with bridges"};
+  constexpr const char* words[] = {"choose", "planes", "directions", "planes and directions",
+                                   "planes with bridges"};
   return words[static_cast<std::size_t>(model)];
 }
 

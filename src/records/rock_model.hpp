@@ -14,21 +14,19 @@ namespace phy {
 /// share of the planes, the rest bonded (rock bridges), or whichever predicts values of the table best that
 /// it was not shown.
 enum class LayerModel { choose, planes, directions, planes_and_directions, planes_with_bridges };
-constexpr int n_layer_models = 5;
 /// Its word in the rock file: "planes with bridges".
 const char* to_string(LayerModel model);
 
 struct RockModel {
-  const char* id;      ///< in files: "planes-with-bridges"
   bool layered;        ///< of rock with bedding
   LayerModel layers;   ///< what a rock file asks for; planes of rock without layers
   MatrixModel matrix;  ///< what holds the grains together
   /// What its recipe has.
-  bool joints = false;      ///< on planes
-  bool bridges = false;     ///< of bonds between them: a share of the planes is jointed
-  bool directions = false;  ///< of the bonds
-  const char* words;        ///< "joints on {:g} of the planes", the share
-  const char* sentence;     ///< for the methods section; empty: nothing
+  bool joints = false;        ///< on planes
+  bool bridges = false;       ///< of bonds between them: a share of the planes is jointed
+  bool directions = false;    ///< of the bonds
+  const char* words;          ///< "joints on {:g} of the planes", the share
+  const char* sentence = "";  ///< for the methods section
   /// What it contains: with more to fit with it is often a little better by chance.
   const RockModel* contains = nullptr;
 

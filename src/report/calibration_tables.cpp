@@ -95,7 +95,7 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
       disc.cells.push_back(t == nullptr || t->diameter == 0.0 ? "-" : fmt::format("{:g}", t->diameter * 1e3));
     }
     groups.push_back({value, scatter, n});
-    if (is_of_discs(p) && sizes) groups.back().push_back(disc);
+    if (measured(p).of_discs && sizes) groups.back().push_back(disc);
   }
   return text_table(theta, groups, terminal_width) +
          wrapped(fmt::format(

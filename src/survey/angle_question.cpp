@@ -51,16 +51,18 @@ std::vector<Curve> softened_by_planes(const std::function<double(const SinCos&)>
 /// lower of two strengths by the norm of their inverses.
 std::vector<Curve> weak_planes() {
   std::vector<Curve> curves;
-  for (const double friction : {10.0, 20.0, 30.0, 40.0})
+  for (const double friction : {10.0, 20.0, 30.0, 40.0}) {
+    const theory::Coulomb plane{1.0, friction};
+    const double least = theory::weak_plane_minimum(plane, 0.0).sigma_1;
     for (const double depth : zero_and_steps(0.1, 1.36, 0.9))
       for (const double corner : {2.0, 6.0})
         for (const double lean : {-0.1, -0.05, 0.0, 0.05, 0.1})
-          curves.emplace_back([=, plane = theory::Coulomb{1.0, friction}](double theta) {
-            const double slip = theory::weak_plane_sigma_1(plane, theta, 0.0) /
-                                theory::weak_plane_minimum(plane, 0.0).sigma_1;
+          curves.emplace_back([=](double theta) {
+            const double slip = theory::weak_plane_sigma_1(plane, theta, 0.0) / least;
             const double yields = std::pow((1.0 - depth) * slip, -corner);
             return -std::log1p(yields) / corner + lean * sin_cos_degrees(2.0 * theta).cos;
           });
+  }
   return curves;
 }
 

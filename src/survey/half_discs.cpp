@@ -6,22 +6,19 @@
 #include "lab/semi_circular_bend/semi_circular_bend.hpp"
 
 namespace phy::survey {
-namespace {
-
-constexpr double fewest_in_radius = 20.0;  // grains (docs/theory/calibration.md, "Fracture toughness")
 
 double radius_of(Recipe model, const Target& toughness) {
   if (toughness.diameter > 0.0) model.test.disc_diameter = toughness.diameter;
   return lab::bend_specimen(model).radius;
 }
 
-}  // namespace
+double grains_in(double radius, double grain_size) { return std::floor(radius / grain_size + 1e-9); }
 
 std::vector<Finding> coarse_half_discs(const Evidence& evidence) {
   std::vector<Finding> found;
   const Recipe& model = evidence.rock.model;
   for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {
-    const double R = radius_of(model, t), grains = std::floor(R / grain_size(model) + 1e-9);
+    const double R = radius_of(model, t), grains = grains_in(R, grain_size(model));
     if (grains >= fewest_in_radius ||
         std::any_of(found.begin(), found.end(), [&](const Finding& f) { return f.number("radius") == R; }))
       continue;

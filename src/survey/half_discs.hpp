@@ -8,6 +8,13 @@
 
 namespace phy::survey {
 
+constexpr double fewest_in_radius = 20.0;  ///< grains (docs/theory/calibration.md, "Fracture toughness")
+
+/// Radius of the half disc of a target [m].
+double radius_of(Recipe model, const Target& toughness);
+/// Rounding errors forgiven.
+double grains_in(double radius, double grain_size);
+
 /// Half discs of a table that few grains of the model go into, once for each size.
 std::vector<Finding> coarse_half_discs(const Evidence& evidence);
 

@@ -11,12 +11,9 @@
 #include "records/calibration.hpp"
 #include "survey/cells.hpp"
 #include "theory/jaeger_fit.hpp"
-#include "verdict/margin.hpp"
 
 namespace phy::survey {
 namespace {
-
-using verdict::tolerance;
 
 constexpr double level = 0.05;         // of a whole table
 constexpr int least_degrees = 4;       // behind a scatter that may accuse
@@ -33,7 +30,7 @@ double mean_of(const Specimens& cell) {
   return sum / static_cast<double>(cell.size());
 }
 
-double unit_of(Property p, double mean) { return p == Property::nu ? 1.0 : mean; }
+double unit_of(Property p, double mean) { return measured(p).absolute ? 1.0 : mean; }
 
 /// Cells of single specimens, by property.
 std::map<Property, std::vector<Specimens>> cells_of(const Rock& rock) {

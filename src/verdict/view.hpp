@@ -15,7 +15,7 @@ constexpr double least_change = 0.10;    ///< of a ratio of strengths, from wher
 /// A miss in units of the one that passes.
 double scaled_error(const Comparison& row);
 
-/// Standard errors of the logarithm of a mean: of the laboratory, of the model, of both.
+/// Standard errors of the logarithm of a mean: of the laboratory, of the model.
 double error_of_laboratory(const Comparison& row);
 double error_of_model(const Comparison& row);
 
