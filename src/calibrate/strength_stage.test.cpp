@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press_fixture.hpp"
 #include "calibrate/strength_posterior.hpp"
@@ -141,7 +142,7 @@ TEST(StrengthStage, ARatioOfCompressionToTensionOutOfReachIsAnsweredWithTheNeare
   const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::direct_tension, 0.0, 10e6}}, false);
   const Calibration c = calibrate(Evidence(rock), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
-  EXPECT_NEAR(ratio_missed(c, {Property::direct_tension, 0.0}), 15.0, 1e-9);
+  EXPECT_NEAR(ratio_missed(c, {Property::direct_tension, nan}), 15.0, 1e-9);
   const Comparison *ucs = nullptr, *tension = nullptr;
   for (const Comparison& row : c.verification) (row.target.property == Property::ucs ? ucs : tension) = &row;
   ASSERT_TRUE(ucs != nullptr && tension != nullptr);
@@ -153,7 +154,7 @@ TEST(StrengthStage, ARatioOfCompressionToBrazilianStrengthOutOfReachIsAnsweredWi
   const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 10e6}}, false);
   const Calibration c = calibrate(Evidence(rock), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
-  EXPECT_NEAR(ratio_missed(c, {Property::brazilian, 0.0}), 15.0, 1e-9);
+  EXPECT_NEAR(ratio_missed(c, {Property::brazilian, nan}), 15.0, 1e-9);
   double ucs = 0.0, bts = 0.0;
   for (const Comparison& row : c.verification) (row.target.property == Property::ucs ? ucs : bts) = row.mean;
   EXPECT_GT(ucs / bts, 5.5);
@@ -387,7 +388,7 @@ TEST(StrengthStage, ASingleSpecimenIsNoReasonToCallARatioMet) {
   ASSERT_LT(disc.error(), 0.41);  // 2.78 times 15 %: Student's t of four degrees of freedom
   EXPECT_EQ(c.verdict.status, VerdictStatus::not_resolved);
   EXPECT_THAT(cells_of(c.verdict.findings, FindingKind::value_unresolved),
-              testing::Contains(Cell{Property::brazilian, 0.0}));
+              testing::Contains(Cell{Property::brazilian, nan}));
 }
 
 TEST(StrengthStage, WithoutAnElasticAnswerNoStrengthIsTestedAndTheTableIsOutOfReach) {
@@ -397,7 +398,7 @@ TEST(StrengthStage, WithoutAnElasticAnswerNoStrengthIsTestedAndTheTableIsOutOfRe
       calibrate(Evidence(rock_of({{Property::E, 0.0, 40e9}, {Property::ucs, 0.0, 150e6}}, false)), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(cells_of(c.verdict.findings, FindingKind::fit_unanswered),
-              testing::ElementsAre(Cell{Property::E, 0.0}));
+              testing::ElementsAre(Cell{Property::E, nan}));
   EXPECT_EQ(press.n_tests, 0);
 }
 

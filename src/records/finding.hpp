@@ -3,6 +3,7 @@
 // report/words.hpp is the one place that words a finding; files hold its kind and its numbers beside the
 // words. Whoever wants to know what was found - the summary, the page, Python, a test - asks for the kind.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,10 +16,13 @@ namespace phy {
 /// A cell of the table: what `same_cell` compares of two targets.
 struct Cell {
   Property property = Property::E;
-  double theta = 0.0;      ///< [deg]
+  double theta = 0.0;      ///< [deg]; NaN: of rock without bedding
   double confining = 0.0;  ///< [Pa]
   double diameter = 0.0;   ///< [m] of a disc; 0: the model's
-  friend bool operator==(const Cell&, const Cell&) = default;
+  friend bool operator==(const Cell& a, const Cell& b) {
+    const bool same_angle = a.theta == b.theta || (std::isnan(a.theta) && std::isnan(b.theta));
+    return same_angle && a.property == b.property && a.confining == b.confining && a.diameter == b.diameter;
+  }
 };
 Cell cell_of(const Target& target);
 
