@@ -396,6 +396,7 @@ class Comparison:
     model_sd: float  #: between packings
     n_packings: int
     error: float  #: model/laboratory - 1
+    with_discrepancy: float  #: model with what it misses of the table at other angles; NaN: no strength
     low: float  #: 95 % interval of the rock's value by the fit
     high: float
     missing: str  #: why there is no answer

@@ -11,7 +11,9 @@
 
 #include "base/parallel.hpp"
 #include "base/rng.hpp"
+#include "base/stats.hpp"
 #include "calibrate/best_estimate.hpp"
+#include "calibrate/discrepancy.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/search_plan.hpp"
@@ -138,30 +140,60 @@ std::vector<Estimate> estimates_of(const StrengthPosterior& posterior, const std
   return all;
 }
 
-/// A target's row: `centre` and the 95 % interval of the rock's own strength over all draws. Given a draw,
-/// the strength is known from two sides: surrogate and, unless it was left out, laboratory.
-Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point>& draws, double centre,
-                     std::size_t i, bool left_out) {
-  const Target& t = posterior.targets()[i];
-  std::vector<double> logs;
-  for (std::size_t k = 0; k < draws.size(); ++k) {
-    Surrogate::Value v = posterior.predict(draws[k], i);
-    v.variance += posterior.discrepancy(t.property);
-    if (!left_out) {
-      const double lab = StrengthPosterior::variance(t), sum = lab + v.variance;
-      v = {(v.mean * lab + std::log(t.mean) * v.variance) / sum, v.variance * lab / sum};
-    }
-    const double noise = normal(sampler_seed, Stream::calibration, static_cast<std::uint32_t>(k),
-                                static_cast<std::uint32_t>(i), 1000U);
-    logs.push_back(v.mean + std::sqrt(v.variance) * noise);
-  }
-  const auto [low, high] = interval_of(logs);
-  Comparison c;
-  c.target = t;
-  c.mean = std::exp(centre), c.low = std::exp(std::min(low, centre)),
-  c.high = std::exp(std::max(high, centre));
-  return c;
+/// The strengths of the table against the model at a point.
+std::vector<Residual> residuals_at(const StrengthPosterior& posterior, const Point& x) {
+  const std::vector<StrengthPosterior::Miss> misses = posterior.misses(x);
+  std::vector<Residual> all;
+  for (std::size_t i = 0; i < posterior.n_targets(); ++i)
+    all.push_back({misses[i].error, misses[i].scatter, misses[i].variance});
+  return all;
 }
+
+/// What predictions rest on: residuals at the estimate and at the draws, and what the model misses.
+struct Predictor {
+  std::vector<Residual> best;
+  std::vector<std::vector<Residual>> draws;
+  Discrepancy discrepancy;
+
+  Predictor(const StrengthPosterior& posterior, const std::vector<Point>& points, const Point& estimate,
+            std::size_t left_out = Discrepancy::none)
+      : best(residuals_at(posterior, estimate)), discrepancy(posterior.targets(), best, left_out) {
+    for (const Point& x : points) draws.push_back(residuals_at(posterior, x));
+  }
+  /// A target's row. The interval over all draws is the rock's own strength, which model and laboratory know
+  /// together; of a target left out it is the laboratory's mean, which is yet to be seen.
+  Comparison row(const Target& t, std::size_t i, bool left_out) const {
+    const Discrepancy::Term term = discrepancy.of(i);
+    const double sd = std::sqrt(term.variance + (left_out ? best[i].noise : 0.0));
+    std::vector<double> logs;
+    for (std::size_t k = 0; k < draws.size(); ++k)
+      logs.push_back(std::log(t.mean) - draws[k][i].value + term.mean(draws[k]) +
+                     sd * normal(sampler_seed, Stream::calibration, static_cast<std::uint32_t>(k),
+                                 static_cast<std::uint32_t>(i), 1000U));
+    const auto [low, high] = interval_of(logs);
+    const double model = std::log(t.mean) - best[i].value, centre = model + term.mean(best);
+    Comparison c;
+    c.target = t, c.mean = std::exp(model);
+    c.with_discrepancy = std::exp(model + discrepancy.at(t, t.theta).mean);
+    c.low = std::exp(std::min(low, centre)), c.high = std::exp(std::max(high, centre));
+    return c;
+  }
+  /// Of every kind of test, at every fifth degree, once.
+  std::vector<AngleFactor> factors(const std::vector<Target>& targets) const {
+    std::vector<AngleFactor> all;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const auto before = targets.begin() + static_cast<std::ptrdiff_t>(i);
+      if (std::any_of(targets.begin(), before, [&](const Target& t) { return same_test(t, targets[i]); }))
+        continue;
+      for (double theta = 0.0; theta <= 90.0; theta += 5.0) {
+        const auto [mean, variance] = discrepancy.at(targets[i], theta);
+        const double half = z_95 * std::sqrt(variance);
+        all.push_back({targets[i], theta, std::exp(mean), std::exp(mean - half), std::exp(mean + half)});
+      }
+    }
+    return all;
+  }
+};
 
 /// Those behind the intervals.
 std::vector<Point> final_draws(StrengthPosterior& posterior, std::uint32_t seed) {
@@ -378,8 +410,10 @@ class StrengthSearch {
       if (p->over != nullptr) fit_.parameters.push_back(strength_behind(*p, posterior_, draws_, fit_.recipe));
     for (const Point& x : evenly_taken(draws_, ensemble_size))
       fit_.draws.push_back(posterior_.recipe_at(fit_.recipe, x));
+    const Predictor predictor(posterior_, draws_, estimate_);
+    fit_.discrepancy = predictor.factors(targets_);
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      Comparison c = predicted(posterior_, draws_, posterior_.predict(estimate_, i).mean, i, false);
+      Comparison c = predictor.row(targets_[i], i, false);
       c.n_packings = static_cast<int>(dealer_.dealt());
       fit_.fitted.push_back(c);
     }
@@ -387,7 +421,8 @@ class StrengthSearch {
     report_mixing();
   }
 
-  /// Each target by the estimate that the calibration would have ended with without it.
+  /// Each target by the estimate that the calibration would have ended with without it, and by what that
+  /// misses of the others.
   void leave_out() {
     fit_.left_out.resize(targets_.size());
     for_all(targets_.size(), task_.simulator.threads(), [&] {
@@ -395,7 +430,7 @@ class StrengthSearch {
         const std::vector<Point> others =
             posterior_.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
         const Point without = best_estimate(posterior_, others, i);
-        fit_.left_out[i] = predicted(posterior_, others, posterior_.predict(without, i).mean, i, true);
+        fit_.left_out[i] = Predictor(posterior_, others, without, i).row(targets_[i], i, true);
       };
     });
   }

@@ -102,6 +102,7 @@ py::list rows_of(const std::vector<Comparison>& table) {
     row["confining"] = c.target.confining, row["diameter"] = c.target.diameter;
     row["laboratory"] = c.target.mean, row["laboratory_sd"] = c.target.sd, row["n"] = c.target.n;
     row["model"] = c.mean, row["model_sd"] = c.sd, row["n_packings"] = c.n_packings, row["error"] = c.error();
+    row["with_discrepancy"] = c.with_discrepancy;
     row["low"] = c.low, row["high"] = c.high, row["missing"] = c.missing;
     rows.append(row);
   }

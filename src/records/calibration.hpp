@@ -46,13 +46,17 @@ struct Comparison {
   Target target;
   double mean = nan;  ///< of the model over packings
   double sd = nan;    ///< between packings
-  double low = nan;   ///< 95 % interval of the rock's value by the fit
-  double high = nan;
+  /// `mean` with what the model misses at other angles; of a row of `fitted`, with what it misses here.
+  double with_discrepancy = nan;
+  /// 95 % interval of the rock's value by the fit; of a row of `left_out`, of the table's value.
+  double low = nan, high = nan;
   int n_packings = 0;
   int n_invalid = 0;  ///< Brazilian: of these, first crack off the central third (lab/brazilian/reading.hpp)
   std::string missing;   ///< why the first packing without an answer has none
   QualityTally quality;  ///< warnings of the tests behind the mean
   double error() const { return mean / target.mean - 1.0; }
+  /// The best prediction: with what the model misses, where that is known.
+  double predicted() const { return std::isfinite(with_discrepancy) ? with_discrepancy : mean; }
   bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };
 
@@ -99,6 +103,13 @@ struct PlaneStiffness {
   StiffnessRelation normal, shear;
 };
 
+/// What the calibrated model misses of a kind of test at an inclination: rock/model, with its 95 % interval.
+struct AngleFactor {
+  Target test;         ///< the kind; mean and angle are of one of its cells
+  double theta = 0.0;  ///< [deg]
+  double factor = 1.0, low = 1.0, high = 1.0;
+};
+
 /// What a search of strengths had less than a usual one (calibrate/effort.hpp).
 struct Shortage {
   bool of_effort = false;  ///< points, for a lower effort
@@ -133,6 +144,7 @@ struct Calibration {
   std::vector<Comparison> fitted;        ///< on the packings of the fit
   std::vector<Comparison> verification;  ///< on packings that the fit has not seen
   std::vector<Comparison> left_out;      ///< each value predicted without it
+  std::vector<AngleFactor> discrepancy;  ///< of the strengths, at every fifth degree
   /// K_Ic of a rock whose grain size nobody has stated, on unseen packings: beside the table, not fitted to
   /// it.
   std::vector<Comparison> compared;

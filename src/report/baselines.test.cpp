@@ -51,17 +51,74 @@ TEST(Baselines, APlaneOfWeaknessFindsWhatItMade) {
   EXPECT_TRUE(std::isnan(predicted("jaeger", table(Property::brazilian, [](double) { return 5e6; }), 3)));
 }
 
-TEST(Baselines, AllAreJudgedOnTheSameCells) {
+double cosines(double t) {
+  const double a = t * std::acos(-1.0) / 90.0;
+  return 8e7 + 2e7 * std::cos(a) - 1e7 * std::cos(2.0 * a);
+}
+
+TEST(Baselines, CosinesFindWhatTheyMade) {
+  const auto rows = table(Property::brazilian, cosines);
+  const auto one =
+      table(Property::nu, [](double t) { return 0.2 + 0.1 * std::cos(t * std::acos(-1.0) / 90.0); });
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(predicted("cos_4", rows, i), rows[i].target.mean, 1.0);
+    EXPECT_NEAR(predicted("cos_2", one, i), one[i].target.mean, 1e-12);
+  }
+  EXPECT_GT(std::fabs(predicted("cos_2", rows, 3) / rows[3].target.mean - 1.0), 0.1);
+}
+
+TEST(Baselines, AGaussianProcessFollowsASmoothCurve) {
+  const auto rows = table(Property::ucs, cosines);
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i)
+    EXPECT_NEAR(predicted("gaussian_process", rows, i) / rows[i].target.mean, 1.0, 0.04) << angles[i];
+}
+
+TEST(Baselines, ACurveNeedsItsAngles) {
+  auto rows = table(Property::ucs, cosines);
+  rows.resize(3);  // two others
+  for (const Baseline& y : baselines())
+    EXPECT_EQ(std::isfinite(y.predict(rows, rows[1].target)), y.fewest <= 2) << y.key;
+}
+
+/// A straight line, which the model has missed by a tenth everywhere.
+Calibration line_left_out() {
   Calibration c;
   c.fitted = c.left_out = table(Property::ucs, [](double t) { return 6e7 + 1e5 * t; });
   c.left_out.front().mean *= 10.0;  // an end, which a line cannot tell
-  const std::vector<ErrorRow> rows = error_rows(c);
-  ASSERT_EQ(rows.size(), 5U);
+  return c;
+}
+
+TEST(Baselines, AllAreJudgedOnTheSameCells) {
+  const std::vector<ErrorRow> rows = error_rows(line_left_out());
+  ASSERT_EQ(rows.size(), 2U + baselines().size());
   EXPECT_NEAR(rows[1].rms[2], 0.1, 1e-12);
   EXPECT_NEAR(rows[2].rms[2], 0.0, 1e-12);
   EXPECT_TRUE(std::isnan(rows[1].rms[0]));
   EXPECT_EQ(miss_text(Property::nu, 0.0423), "0.042");
   EXPECT_EQ(miss_text(Property::ucs, std::nan("")), "-");
+}
+
+TEST(Baselines, TheBestCurveStandsBesideTheModel) {
+  Calibration c = line_left_out();
+  for (Comparison& row : c.left_out) row.with_discrepancy = 1.05 * row.target.mean;
+  const std::vector<LeftOutErrors> all = left_out_errors(c);
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].cells, 5);
+  EXPECT_NEAR(all[0].model, 0.1, 1e-12);
+  EXPECT_NEAR(all[0].with_discrepancy, 0.05, 1e-12);
+  ASSERT_NE(all[0].best, nullptr);
+  EXPECT_LT(all[0].curve, 1e-9);
+}
+
+TEST(Baselines, ACurveThatMissesACellForWantOfAnglesIsNotTheBest) {
+  Calibration c = line_left_out();
+  c.fitted.resize(3), c.left_out.resize(3);  // two others of the one inside
+  for (const LeftOutErrors& e : left_out_errors(c)) {
+    ASSERT_NE(e.best, nullptr);
+    EXPECT_LE(e.best->fewest, 2U);
+  }
+  c.fitted.resize(2), c.left_out.resize(2);
+  EXPECT_TRUE(left_out_errors(c).empty()) << "no cell between two others";
 }
 
 }  // namespace

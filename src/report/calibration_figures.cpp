@@ -73,6 +73,35 @@ class LaboratoryPanels {
   double beside_;  // [deg]
 };
 
+constexpr std::size_t fewest_joined = 5;  ///< angles; of fewer nobody would draw a curve
+
+/// Between the angles of a table: the model, joined by straight lines, and dashed because it is no
+/// prediction; and 95 % of the rock's value by the model and what it misses.
+void add_between(const Calibration& c, const Target& test, Panel& panel) {
+  std::vector<Comparison> rows;
+  for (const Comparison& row : c.fitted)
+    if (same_test(row.target, test) && row.answered()) rows.push_back(row);
+  if (rows.size() < fewest_joined || c.discrepancy.empty()) return;
+  std::sort(rows.begin(), rows.end(),
+            [](const Comparison& a, const Comparison& b) { return a.target.theta < b.target.theta; });
+  Series bare{"model alone, packings of the fit", Mark::line, Role::bare},
+      band{"model with its discrepancy, 95 %", Mark::band, Role::interval};
+  const double f = measured(test.property).shown.factor;
+  for (const Comparison& row : rows) bare.points.push_back({row.target.theta, f * row.mean});
+  for (const AngleFactor& a : c.discrepancy) {
+    const auto above = std::find_if(rows.begin(), rows.end(),
+                                    [&](const Comparison& r) { return r.target.theta >= a.theta; });
+    if (!same_test(a.test, test) || above == rows.end() || a.theta < rows.front().target.theta) continue;
+    const Comparison& below = above == rows.begin() ? *above : *(above - 1);
+    const double step = above->target.theta - below.target.theta;
+    const double model =
+        f * std::lerp(below.mean, above->mean, step > 0.0 ? (a.theta - below.target.theta) / step : 0.0);
+    band.points.push_back({a.theta, model * a.factor, model * a.low, model * a.high});
+  }
+  panel.series.insert(panel.series.begin(), band);
+  panel.series.push_back(bare);
+}
+
 /// What the model makes of a test: below the laboratory the interval, above it the model.
 void add_model(const Calibration& c, const Target& test, double beside, Panel& panel) {
   const bool sequence = c.method == CalibrationMethod::sequence;
@@ -91,7 +120,7 @@ void add_model(const Calibration& c, const Target& test, double beside, Panel& p
     if (const Comparison& row = judged(c, fitted); row.answered())
       model.points.push_back({t.theta, f * row.mean, nan, nan, error_beside(row.mean, &t)});
     if (const Comparison* row = row_of(c.left_out, t); row != nullptr && row->answered())
-      left_out.points.push_back({t.theta + beside, f * row->mean});
+      left_out.points.push_back({t.theta + beside, f * row->predicted()});
   }
   panel.series.insert(panel.series.begin(), box);
   panel.series.push_back(left_out), panel.series.push_back(model);
@@ -107,6 +136,7 @@ Figure calibration_figure(const Calibration& c) {
   for (const Target& test : panels.tests()) {
     figure.panels.push_back(panels.panel_of(test));
     add_model(c, test, panels.beside(), figure.panels.back());
+    add_between(c, test, figure.panels.back());
   }
   fit_over_angles(figure);
   return figure;

@@ -34,6 +34,7 @@ Json rows_json(const std::vector<Comparison>& rows) {
          {"n_packings", c.n_packings},
          {"low", c.low},
          {"high", c.high}});
+    if (std::isfinite(c.with_discrepancy)) list.back()["with_discrepancy"] = c.with_discrepancy;
     if (!t.specimens.empty()) list.back()["laboratory"]["specimens"] = t.specimens;
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
     if (t.confining > 0.0) list.back()["confining [Pa]"] = t.confining;
@@ -101,6 +102,33 @@ Json errors_json(const Calibration& c) {
   return list;
 }
 
+/// Values left out, by the model and by the best curve.
+Json yardsticks_json(const Calibration& c) {
+  Json list = Json::array();
+  for (const LeftOutErrors& e : left_out_errors(c))
+    list.push_back({{"property", to_string(e.property)},
+                    {"cells", e.cells},
+                    {"model", e.model},
+                    {"with_discrepancy", e.with_discrepancy},
+                    {"best", e.best != nullptr ? Json(e.best->key) : Json(nullptr)},
+                    {"best_error", e.curve},
+                    {"text", sentence(e)}});
+  return list;
+}
+
+Json discrepancy_json(const std::vector<AngleFactor>& factors) {
+  Json list = Json::array();
+  for (const AngleFactor& f : factors)
+    list.push_back({{"property", to_string(f.test.property)},
+                    {"confining [Pa]", f.test.confining},
+                    {"diameter [m]", f.test.diameter},
+                    {"theta [deg]", f.theta},
+                    {"factor", f.factor},
+                    {"low", f.low},
+                    {"high", f.high}});
+  return list;
+}
+
 /// JSON has no NaN: it was written as null.
 double number_of(const Json& j) { return j.is_number() ? j.get<double>() : nan; }
 
@@ -123,9 +151,22 @@ std::vector<Comparison> rows_of(const Json& list) {
     c.mean = number_of(j.at("model")), c.sd = number_of(j.at("sd_of_packings"));
     c.low = number_of(j.at("low")), c.high = number_of(j.at("high"));
     c.n_packings = io::whole_number<int>(j.at("n_packings"));
+    if (j.contains("with_discrepancy")) c.with_discrepancy = number_of(j.at("with_discrepancy"));
     rows.push_back(std::move(c));
   }
   return rows;
+}
+
+std::vector<AngleFactor> factors_of(const Json& list) {
+  std::vector<AngleFactor> all;
+  for (const Json& j : list) {
+    AngleFactor f;
+    f.test.property = property_of(j.at("property")), f.test.confining = j.at("confining [Pa]");
+    f.test.diameter = j.at("diameter [m]"), f.theta = j.at("theta [deg]");
+    f.factor = number_of(j.at("factor")), f.low = number_of(j.at("low")), f.high = number_of(j.at("high"));
+    all.push_back(std::move(f));
+  }
+  return all;
 }
 
 /// Lines of comments in a recipe.
@@ -158,7 +199,9 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
     for (const Baseline& y : baselines())
       j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);
+  if (!c.discrepancy.empty()) j["discrepancy"] = discrepancy_json(c.discrepancy);
   j["errors"] = errors_json(c);
+  if (!c.left_out.empty()) j["yardsticks"] = yardsticks_json(c);
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
   j["matrix"] = c.recipe.matrix.model == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond";
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
@@ -183,6 +226,7 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
     if (j.value("method", "") == "sequence") c.method = CalibrationMethod::sequence;
     c.fitted = rows_of(j.at("fitted")), c.verification = rows_of(j.at("verification"));
     c.left_out = rows_of(j.at("left_out"));
+    if (j.contains("discrepancy")) c.discrepancy = factors_of(j.at("discrepancy"));
   } catch (const std::exception& e) {
     throw InputError(Problem{file, "", "", fmt::format("a calibration of format {}", calibration_format),
                              io::in_words(e)});

@@ -254,6 +254,11 @@ std::string angle_table(const Calibration& c, int terminal_width) {
          text_table(label, columns, terminal_width);
 }
 
+constexpr const char* at_half_of_ucs =
+    "at 50 % UCS: fit and unseen are at small strain; these are the unseen ones with what tests on "
+    "unseen "
+    "packings (on one, where the others are hurried) make of E and nu at 40 - 60 % of UCS\n";
+
 std::string macro_table(const Calibration& c, int terminal_width) {
   const auto column = [&](const char* head, const auto& cell) {
     Column col{head, "", {}};
@@ -273,21 +278,23 @@ std::string macro_table(const Calibration& c, int terminal_width) {
              [](R r) { return fmt::format("{:.2g}", r.target.standard_error() * shown(r.target.property)); }),
       column("rock, 95 %",
              [&](R r) { return fmt::format("{} ... {}", number_cell(r, r.low), number_cell(r, r.high)); })};
-  const Columns fit = {column("fit", [&](R r) { return value_cell(&r); }),
-                       column("error", [&](R r) { return error_cell(&r); })};
+  Columns fit = {column("fit", [](R r) { return value_cell(&r); }),
+                 column("error", [](R r) { return error_cell(&r); })};
   const Columns unseen = {column("unseen", [&](R r) { return value_cell(row_of(c.verification, r.target)); }),
                           column("error", [&](R r) { return error_cell(row_of(c.verification, r.target)); })};
-  std::vector<Columns> groups = {laboratory, fit, unseen};
   std::string legend = "rock, 95 %: where the rock's own value lies, by laboratory and model together\n";
+  if (!c.discrepancy.empty()) {
+    fit.push_back(column("with discrepancy", [&](R r) { return number_cell(r, r.with_discrepancy); }));
+    legend +=
+        "with discrepancy: fit times what the model misses of the table, as a smooth function of theta\n";
+  }
+  std::vector<Columns> groups = {laboratory, fit, unseen};
   if (c.E_is != ModulusReading::small_strain)
     legend += fmt::format("E: {}, of the laboratory and of the press alike\n", to_string(c.E_is));
   if (!c.tangent_from_test.empty()) {
     groups.push_back(
         {column("at 50 % UCS", [&](R r) { return value_cell(row_of(c.tangent_from_test, r.target)); })});
-    legend +=
-        "at 50 % UCS: fit and unseen are at small strain; these are the unseen ones with what tests on "
-        "unseen "
-        "packings (on one, where the others are hurried) make of E and nu at 40 - 60 % of UCS\n";
+    legend += at_half_of_ucs;
   }
   return text_table(label, groups, terminal_width) + wrapped(legend, terminal_width, 2);
 }
@@ -337,14 +344,12 @@ std::string error_table(const Calibration& c, int terminal_width) {
       groups.push_back(
           {column_of(to_string(p), "", rows, [&](const ErrorRow& r) { return miss_text(p, r.rms[i]); })});
   }
-  const bool left_out = rows.back().is_left_out, plane = rows.back().baseline == "jaeger";
-  return text_table(label, groups, terminal_width) +
-         wrapped(!left_out
-                     ? ""
-                     : fmt::format("left out: those with neighbours on both sides, each predicted from the "
-                                   "others{}\n",
-                                   plane ? "; weak plane: Jaeger 1960" : ""),
-                 terminal_width, 2);
+  std::string legend;
+  if (rows.back().is_left_out)
+    legend = "left out: those with neighbours on both sides, each predicted from the others\n";
+  for (const LeftOutErrors& e : left_out_errors(c))
+    if (const std::string line = sentence(e); !line.empty()) legend += line + "\n";
+  return text_table(label, groups, terminal_width) + wrapped(legend, terminal_width, 2);
 }
 
 std::string verdict_text(const Calibration& c, int terminal_width) {

@@ -32,8 +32,8 @@ Calibration with_left_out() {
 TEST(CalibrationTables, AnAngleLeftOutStandsBesideAStraightLineBetweenItsNeighbours) {
   // by hand: with neighbours on both sides 66 for 60, 10 %; the line gives 95 for 60, 58.3 %
   const std::string text = error_table(with_left_out(), 0);
-  EXPECT_THAT(text, HasSubstr("left out, this model      10 %\n"));
-  EXPECT_THAT(text, HasSubstr("left out, straight line   58 %\n"));
+  EXPECT_THAT(text, HasSubstr("left out, model alone         10 %\n"));
+  EXPECT_THAT(text, HasSubstr("left out, straight line       58 %\n"));
   // two others tell no parabola, and no plane
   EXPECT_THAT(text, testing::AllOf(testing::Not(HasSubstr("parabola")), testing::Not(HasSubstr("Jaeger"))));
   const auto j = nlohmann::json::parse(calibration_json(with_left_out(), "1"));

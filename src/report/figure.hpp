@@ -39,6 +39,7 @@ enum class Role {
   listed,   ///< one of several without an order
   plain,
   model,
+  bare,  ///< the model without what it misses of a table
   laboratory,
   specimen,  ///< single ones of the laboratory
   interval,

@@ -13,9 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 7> marks = {"line", "points", "dots", "text", "band", "boxes", "area"};
-constexpr std::array<const char*, 15> roles = {"ordered",  "listed",   "plain",  "model",    "laboratory",
-                                               "specimen", "interval", "theory", "left_out", "intact",
-                                               "others",   "level",    "crack",  "bedding",  "frame"};
+constexpr std::array<const char*, 16> roles = {
+    "ordered", "listed",   "plain",  "model",  "bare",  "laboratory", "specimen", "interval",
+    "theory",  "left_out", "intact", "others", "level", "crack",      "bedding",  "frame"};
 constexpr std::array<const char*, 3> keys = {"none", "shared", "inside"};
 
 Json number_json(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }

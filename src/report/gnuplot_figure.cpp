@@ -38,6 +38,7 @@ Look look_of(const Series& s) {
     case Role::level: look.symbol = level_symbols[s.number % level_symbols.size()], look.size = 0.5; break;
     case Role::intact: look.dash = dashes.back(); break;
     case Role::theory:
+    case Role::bare:
     case Role::bedding:
     case Role::others: look.dash = "2"; break;
     case Role::frame: look.line = 0.7; break;

@@ -54,7 +54,8 @@ inline Color paper_color(Role role, std::size_t number, double shade) {
   switch (role) {
     case Role::ordered: return color_at(ramp, shade);
     case Role::listed: return line_colors[number % line_colors.size()];
-    case Role::model: return 0x0072b2;
+    case Role::model:
+    case Role::bare: return 0x0072b2;
     case Role::specimen: return 0x555555;
     case Role::interval: return 0xc4dcee;
     case Role::theory: return 0x9a3f7d;

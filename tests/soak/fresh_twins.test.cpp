@@ -3,7 +3,7 @@
 // run that was cut short goes on. A line per rock with everything that the summary counts; PHY_FRESH_MAPS=0:
 // without what maps tell beforehand.
 //
-// The yardstick of what is left out is, rock by rock, the best of straight line, parabola and Jaeger.
+// The yardstick of what is left out is, rock by rock, the best curve of report/baselines.hpp.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -15,8 +15,6 @@
 
 namespace phy {
 namespace {
-
-constexpr auto of_ucs = static_cast<std::size_t>(Property::ucs);
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -34,14 +32,10 @@ double worst_against(const std::vector<Comparison>& rows, const std::vector<Comp
 
 /// Error of UCS left out, over that of the best yardstick; NaN: none was left out.
 double over_yardstick(const Calibration& found) {
-  double ours = nan, best = nan;
-  for (const report::ErrorRow& row : report::error_rows(found)) {
-    if (row.of == "left out, this model")
-      ours = row.rms[of_ucs];
-    else if (row.of.starts_with("left out, "))
-      best = std::fmin(best, row.rms[of_ucs]);
-  }
-  return ours / best;
+  for (const report::LeftOutErrors& e : report::left_out_errors(found))
+    if (e.property == Property::ucs)
+      return (std::isfinite(e.with_discrepancy) ? e.with_discrepancy : e.model) / e.curve;
+  return nan;
 }
 
 struct Totals {

@@ -35,9 +35,14 @@ export interface Comparison {
   high: number | null;
   "diameter [m]"?: number; // of a disc
   "confining [Pa]"?: number;
-  interpolated?: number | null; // of left_out: straight line between the neighbours; null at the ends
-  parabola?: number | null;
-  jaeger?: number | null; // of UCS: plane of weakness
+  with_discrepancy?: number | null; // of strengths: the model with what it misses of the table
+}
+
+/** Values left out of a property, beside the best curve: its key among those of a row, null where none could be fitted. */
+export interface Yardstick {
+  property: string;
+  best: string | null;
+  text: string;
 }
 
 /** A measured property as people read it. */
@@ -64,6 +69,7 @@ export interface Calibration {
   fitted: Comparison[];
   verification: Comparison[];
   left_out: Comparison[];
+  yardsticks?: Yardstick[];
   compared?: Comparison[]; // not fitted, without part in the verdict
   tangent_from_test?: Comparison[]; // E and nu at half of UCS; not in older files
   eq2?: { planes: string; K_n: Line; K_s: Line }[]; // macro over micro stiffness; none where Eq. 1 is not of the model

@@ -56,8 +56,8 @@ export const axisLabel = (a: { quantity: string; unit: string }) => (a.unit ? `$
 // --- looks ---------------------------------------------------------------------------------------------------
 
 const ordered = ["#4f6bd8", "#2b93cf", "#12a594", "#5aa343", "#b0920f", "#e0762a", "#d1466f"];
-const inks: Record<string, string> = { model: "var(--accent)", interval: "var(--accent)", theory: "var(--theory)", left_out: "var(--pull)", intact: "var(--intact)", others: "var(--muted)", frame: "var(--line)" };
-const dashes: Record<string, string> = { theory: "7 4", others: "7 4", bedding: "5 3" };
+const inks: Record<string, string> = { model: "var(--accent)", bare: "var(--accent)", interval: "var(--accent)", theory: "var(--theory)", left_out: "var(--pull)", intact: "var(--intact)", others: "var(--muted)", frame: "var(--line)" };
+const dashes: Record<string, string> = { theory: "7 4", bare: "4 3", others: "7 4", bedding: "5 3" };
 const symbols = ["circle", "square", "triangle", "diamond", "star", "wye", "cross"] as const;
 const signs: Record<string, string> = { circle: "●", square: "■", triangle: "▲", diamond: "◆", star: "★", wye: "Y", cross: "✚", times: "×" };
 

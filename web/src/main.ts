@@ -1,5 +1,5 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
-import { Calibration, Comparison, Estimate, Column, Line, Report, Test, lastUpTo, readReport } from "./data";
+import { Calibration, Comparison, Estimate, Column, Line, Report, Test, Yardstick, lastUpTo, readReport } from "./data";
 import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
 import { Drawn, Figure, Panel, axisLabel, draw, legend } from "./figure";
 import { friendly } from "./units";
@@ -434,10 +434,13 @@ function tables() {
 
 // --- calibration ---------------------------------------------------------------------------------------------
 
-function comparisonTable(rows: Comparison[], caption: string): Child {
+function comparisonTable(rows: Comparison[], caption: string, yardsticks: Yardstick[] = []): Child {
   if (rows.length === 0) return null;
-  const rules = ([["interpolated", "error of a straight line between neighbours"], ["parabola", "of a parabola"], ["jaeger", "of a plane of weakness"]] as const).filter(([key]) => rows.some((r) => typeof r[key] === "number"));
-  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...rules.map(([, head]) => head)];
+  const best = (r: Comparison) => yardsticks.find((y) => y.property === r.property)?.best;
+  const rules: [string, (r: Comparison) => number | null | undefined][] = [];
+  if (rows.some((r) => typeof r.with_discrepancy === "number")) rules.push(["with discrepancy", (r) => r.with_discrepancy]);
+  if (yardsticks.some((y) => y.best)) rules.push(["best curve", (r) => r[best(r) as keyof Comparison] as number | null | undefined]);
+  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...rules.map(([head]) => `error, ${head}`)];
   return table(
     caption,
     heads,
@@ -445,7 +448,7 @@ function comparisonTable(rows: Comparison[], caption: string): Child {
       const f = (v: number | null) => (v === null ? "–" : (v * report.properties[r.property].factor).toPrecision(4));
       const { mean, sd, n } = r.laboratory;
       const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? (v - mean).toFixed(3) : `${(100 * (v / mean - 1)).toFixed(1)} %`);
-      return [named(report.properties[r.property].axis, r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([key]) => error(r[key]))];
+      return [named(report.properties[r.property].axis, r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([, value]) => error(value(r)))];
     }),
     caption,
   );
@@ -549,7 +552,7 @@ function calibration() {
     "Calibration",
     h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence)),
     ...drawn(false),
-    h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), cost(c))),
+    h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), ...(c.yardsticks ?? []).map((y) => h("p", {}, y.text)), cost(c))),
     lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
     fold(`All findings (${c.verdict.findings.length}) and notes (${c.notes.length})`, ...c.verdict.findings.map((f) => h("p", {}, f.text)), ...c.notes.map((n) => h("p", { class: "muted" }, n.text))),
     fold("What the data determine", whatIsDetermined(c)),
@@ -565,7 +568,7 @@ function calibration() {
       comparisonTable(c.fitted, "On the packings of the fit"),
       comparisonTable(c.verification, "On packings that the fit has not seen"),
       comparisonTable(c.tangent_from_test ?? [], "E and ν at 40 – 60 % of UCS: those on unseen packings with what tests there make of them; above: at small strain"),
-      comparisonTable(c.left_out, "Each value predicted without it"),
+      comparisonTable(c.left_out, "Each value predicted without it", c.yardsticks),
     ),
   );
 }
