@@ -44,6 +44,19 @@ TEST(CalibrationTables, AnAngleLeftOutStandsBesideAStraightLineBetweenItsNeighbo
   EXPECT_NEAR(j["errors"][1]["UCS"].get<double>(), 0.1, 1e-12);
 }
 
+TEST(CalibrationTables, TheModelAloneAndWithItsDiscrepancyStandApart) {
+  Calibration c = with_left_out();
+  c.left_out[1].with_discrepancy = 63e6;
+  const std::string text = error_table(c, 0);
+  EXPECT_THAT(text, HasSubstr("left out, model alone              10 %\n"));
+  EXPECT_THAT(text, HasSubstr("left out, model with discrepancy  5.0 %\n"));
+  EXPECT_THAT(text, HasSubstr("predicted within 5.0 % (rms). The best curve, "));
+  const auto j = nlohmann::json::parse(calibration_json(c, "1"));
+  EXPECT_NEAR(j["left_out"][1]["with_discrepancy"].get<double>(), 63e6, 1.0);
+  EXPECT_FALSE(j["left_out"][0].contains("with_discrepancy"));
+  EXPECT_NEAR(j["yardsticks"][0]["best_error"].get<double>(), 35.0 / 60.0, 1e-9);
+}
+
 // Neighbours in theta need not lie at equal distances, nor be of the same test or disc.
 TEST(TargetTable, ATestUnderAStressOnTheSidesHasALineOfItsOwn) {
   std::vector<Target> targets = {{Property::E, 45.0, 20e9, 1e9, 3},

@@ -242,6 +242,22 @@ TEST(Figures, NoLineIsDrawnThroughWhatWasComputedAtSingleAngles) {
     EXPECT_TRUE((s.mark != Mark::line && s.mark != Mark::band) || s.points.empty()) << s.name;
 }
 
+// By hand: between 100 and 110 MPa the model has 105, a tenth too little.
+TEST(Figures, WithFiveAnglesTheModelAndWhatItMissesStandBetweenThem) {
+  Calibration c;
+  c.rock = "slate";
+  for (const double theta : {0.0, 20.0, 40.0, 65.0, 90.0})
+    c.fitted.push_back(compared(Property::ucs, theta, 1e8, 1e8 + 5e5 * theta));
+  c.discrepancy = {{c.fitted[0].target, 10.0, 1.1, 1.0, 1.2}, {c.fitted[0].target, 90.0, 1.0, 0.9, 1.1}};
+  const Panel panel = figure_of(c).panels.at(0);
+  EXPECT_EQ(only(panel, Role::bare, Mark::line).points.size(), 5U);
+  const Series band = only(panel, Role::interval, Mark::band);
+  ASSERT_EQ(band.points.size(), 2U);
+  EXPECT_NEAR(band.points[0].y, 105.0 * 1.1, 1e-6);
+  EXPECT_NEAR(band.points[0].low, 105.0, 1e-6);
+  EXPECT_NEAR(band.points[1].high, 145.0 * 1.1, 1e-6);
+}
+
 TEST(Figures, ACalibrationHasAPanelForEveryTestOfItsTable) {
   Calibration c = with_ucs();
   c.method = CalibrationMethod::sequence;
