@@ -18,6 +18,7 @@
 #include "io/output.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/calibration_folder.hpp"
+#include "jobs/study_folder.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
 #include "study/band.hpp"
@@ -98,7 +99,8 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   ProgressLine line;
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     line.show([&](double) {
-      return fmt::format("{}/{} tests, time left: {}", p.n_done, p.n_total, jobs::time_left(p));
+      return fmt::format("{}/{} tests{}", p.n_done, p.n_total,
+                         p.seconds_left > 0.0 ? ", about " + jobs::duration(p.seconds_left) + " left" : "");
     });
   };
   std::vector<Recipe> recipes;

@@ -67,5 +67,6 @@ const std::vector<Wording>& words_of_table();
 const std::vector<Wording>& words_of_maps();
 std::string advice_of_table(Advice advice, const Finding& of);
 const std::vector<Wording>& words_of_calibration();
+const std::vector<Wording>& words_of_course();
 
 }  // namespace phy::report
