@@ -50,8 +50,13 @@ Recipe scaled(Recipe recipe, double largest_modulus) {
 struct PointCost {
   double cost = 0.0;
   std::int64_t tests = 0, compression = 0;
+  /// Fewer tests than lanes leave some of these empty, though a test alone takes several (decision 0013).
   PlannedStage stage(Kind kind, bool certain, std::int64_t times) const {
-    return {kind, certain, cost * static_cast<double>(times), tests * times, compression * times};
+    constexpr double lanes = 16.0;
+    const auto n = static_cast<double>(times);
+    const double share = static_cast<double>(tests) * n / lanes;
+    return {kind, certain, cost * n / std::sqrt(std::clamp(share, 1.0 / lanes, 1.0)), tests * times,
+            compression * times};
   }
 };
 

@@ -124,7 +124,8 @@ SecondsRange TimeLeft::of_this_stage(double now) const {
   stage.certain = true;
   const SecondsRange whole = of_stage(stage);
   const double gone = now - since_;
-  if (tests_.n_total == 0) return {std::max(0.0, whole.low - gone), std::max(whole.high - gone, 0.5 * gone)};
+  // where nothing is counted the end may be here
+  if (tests_.n_total == 0) return {0.0, std::max(whole.high - gone, 0.5 * gone)};
   const double left = 1.0 - static_cast<double>(tests_.n_done) / static_cast<double>(tests_.n_total);
   SecondsRange range = {left * whole.low, left * whole.high};
   if (tests_.n_new > 0) {  // by its own tests
