@@ -18,7 +18,7 @@
 #include "io/output.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/calibration_folder.hpp"
-#include "jobs/study_folder.hpp"
+#include "report/words.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
 #include "study/band.hpp"
@@ -100,7 +100,7 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     line.show([&](double) {
       return fmt::format("{}/{} tests{}", p.n_done, p.n_total,
-                         p.seconds_left > 0.0 ? ", about " + jobs::duration(p.seconds_left) + " left" : "");
+                         p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
     });
   };
   std::vector<Recipe> recipes;

@@ -7,7 +7,6 @@
 
 #include "base/clock.hpp"
 #include "jobs/machine.hpp"
-#include "jobs/study_folder.hpp"
 #include "report/words.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
@@ -61,19 +60,15 @@ SecondsRange expected_seconds(const calibrate::Ahead& ahead, double seconds_per_
           seconds_per_cost * ahead.most_cost * doubt_at_first};
 }
 
-std::string duration_text(const SecondsRange& seconds) {
-  const std::string low = duration(seconds.low), high = duration(seconds.high);
-  if (low == high) return low;
-  const std::string unit = high.substr(high.rfind(' '));
-  return (low.ends_with(unit) ? low.substr(0, low.rfind(' ')) : low) + " to " + high;
-}
-
-std::string expected_text(const calibrate::Ahead& ahead, int threads) {
-  const auto tests = [](std::int64_t n) { return static_cast<double>(n); };
-  const std::string n = report::range_text(tests(ahead.least_tests), tests(ahead.most_tests), "{:.0f}");
-  return fmt::format("{} tests, {} on this machine ({})", n,
-                     duration_text(expected_seconds(ahead, seconds_per_cost(threads))),
-                     report::counted_text(threads, "thread"));
+Finding expected_course(const calibrate::Ahead& ahead, int threads) {
+  const SecondsRange seconds = expected_seconds(ahead, seconds_per_cost(threads));
+  return {FindingKind::course_expected,
+          {},
+          {{"least_tests", static_cast<double>(ahead.least_tests)},
+           {"most_tests", static_cast<double>(ahead.most_tests)},
+           {"least_seconds", seconds.low},
+           {"most_seconds", seconds.high},
+           {"threads", static_cast<double>(threads)}}};
 }
 
 void TimeLeft::outlook(const calibrate::Outlook& ahead, double now) {
@@ -163,7 +158,7 @@ std::string TimeLeft::place_text() const {
 
 std::string TimeLeft::left_text(double now) const {
   const auto left = at(now);
-  return left ? duration_text(*left) + " left" : "";
+  return left ? report::duration_text(left->low, left->high) + " left" : "";
 }
 
 }  // namespace phy::jobs

@@ -21,10 +21,8 @@ double seconds_per_cost(int threads);
 /// Of a calibration before it begins.
 SecondsRange expected_seconds(const calibrate::Ahead& ahead, double seconds_per_cost);
 
-/// "2 to 9 min", "40 s to 3 min".
-std::string duration_text(const SecondsRange& seconds);
-/// Tests and time of a calibration before it begins.
-std::string expected_text(const calibrate::Ahead& ahead, int threads);
+/// `course_expected`: tests and time of a calibration before it begins.
+Finding expected_course(const calibrate::Ahead& ahead, int threads);
 
 /// A clock that is told what happens; times are seconds since any one moment.
 class TimeLeft {

@@ -121,11 +121,5 @@ TEST(TimeLeft, StagesAndModelsAreCounted) {
   EXPECT_EQ(clock.place().stage, 3U);
 }
 
-TEST(TimeLeft, ARangeIsWordedWithItsUnits) {
-  EXPECT_EQ(duration_text({120.0, 540.0}), "2 to 9 min");
-  EXPECT_EQ(duration_text({40.0, 180.0}), "40 s to 3 min");
-  EXPECT_EQ(duration_text({5.0, 5.2}), "5 s");
-}
-
 }  // namespace
 }  // namespace phy::jobs

@@ -21,6 +21,14 @@ std::string batch(F f) {
 
 const std::vector<Wording>& words_of_course() {
   static const std::vector<Wording> list = {
+      {Kind::course_expected,
+       [](F f) {
+         const std::string tests = range_text(f.number("least_tests"), f.number("most_tests"), "{:.0f}");
+         return fmt::format("A calibration takes {} tests, {} on this machine ({}).",
+                            tests == "0" ? "no" : tests,
+                            duration_text(f.number("least_seconds"), f.number("most_seconds")),
+                            counted_text(f.number("threads"), "thread"));
+       }},
       {Kind::course_models, [](F) -> std::string { return "Comparing the models of the rock"; }},
       {Kind::course_model,
        [](F f) { return fmt::format("Out of reach with {1}; now trying {0}", f.names[0], f.names[1]); }},

@@ -49,6 +49,8 @@ const std::vector<Wording> forecasts = {
     {Kind::forecast_unresolved,
      [](F f) { return forecast(f, "meet the table, with too few specimens to show it"); }},
     {Kind::forecast_out_of_reach, [](F f) { return forecast(f, "end out of reach"); }},
+    {Kind::forecast_none,
+     [](F) -> std::string { return "No forecast: no model was mapped for the tests of this table."; }},
     {Kind::forecast_missed, [](F f) { return "expected " + miss_text(f) + "."; }, true},
     {Kind::forecast_beyond_map,
      [](F) -> std::string {
