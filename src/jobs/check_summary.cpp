@@ -75,7 +75,6 @@ Finding open_parameters(const std::vector<ParameterEstimate>& parameters) {
 }
 
 void add_doubts(const RockCheck& check, std::vector<Finding>& lines) {
-  if (check.doubts.empty()) lines.push_back({Kind::no_doubts});
   const std::size_t n = std::min(most_doubts, check.doubts.size());
   lines.insert(lines.end(), check.doubts.begin(), check.doubts.begin() + static_cast<std::ptrdiff_t>(n));
   if (check.doubts.size() > n)
@@ -103,11 +102,13 @@ void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines
 }  // namespace
 
 std::vector<Finding> summary_of(const RockCheck& check, int threads) {
-  std::vector<Finding> lines = {angles_of(check.evidence)};
+  std::vector<Finding> lines;
+  add_doubts(check, lines);
+  lines.push_back(angles_of(check.evidence));
   for (const bool strengths : {false, true})
     if (Finding values = values_of(check.evidence, strengths); !values.cells.empty())
       lines.push_back(std::move(values));
-  add_doubts(check, lines);
+  if (check.doubts.empty()) lines.push_back({Kind::no_doubts});
   for (const Finding& limit : check.limits)
     if (limit.kind == Kind::no_layered_body || limit.kind == Kind::one_cell_of_no_body) {
       lines.push_back({Kind::no_body_in_short,

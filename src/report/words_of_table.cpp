@@ -249,8 +249,7 @@ std::string scatter_assumed(F f) {
   const Property p = f.cells.front().property;
   const std::string least = miss_text(p, f.number("least")), most = miss_text(p, f.number("most"));
   return say(f,
-             "{}: the table says little of the scatter of {} of {}. Single specimens are taken to "
-             "scatter by {}.",
+             "{}: {} of {} have too few specimens to show their scatter. Usual scatter is taken: {}.",
              to_string(p), f.cells.size(), counted_text(f.number("of"), "cell"),
              least == most ? least : least + " to " + most);
 }
