@@ -60,8 +60,8 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     result.notes.push_back(
         {FindingKind::model_without_rivals, {}, {}, {maps::model_in_words(candidates.front())}});
   } else if (candidates.size() > 1) {
-    const maps::ModelChoice choice =
-        choose_model(evidence, candidates, evidence.rock.model.packing.seed, simulator, options.listener.begins);
+    const maps::ModelChoice choice = choose_model(evidence, candidates, evidence.rock.model.packing.seed,
+                                                  simulator, options.listener.begins);
     const Rock& rock = choice.rock();
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
       return r.layers != rock.layers || r.matrix != rock.matrix;
@@ -187,8 +187,7 @@ class Trial {
 
   /// Is what was found out of reach, may a rival not be, and do the tests that are left pay for it?
   bool tries(const Model& rival, const Tried& found) const {
-    return found.status() == VerdictStatus::out_of_reach &&
-           may_be_tried(rival) &&
+    return found.status() == VerdictStatus::out_of_reach && may_be_tried(rival) &&
            left() >= std::max(n_one_, least_tests(rival.evidence, options_));
   }
 
@@ -242,7 +241,7 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
     result.counts = simulator.count() - before;
     if (result.verdict.status != VerdictStatus::interrupted)
       run_for_pictures(attempt.pictures, options.listener, simulator);  // which count for nothing
-  } catch (const Stopped&) {                          // while the models were compared, or at the pictures
+  } catch (const Stopped&) {  // while the models were compared, or at the pictures
     result.verdict = {VerdictStatus::interrupted, {{FindingKind::stopped}}};
   }
   verdict::explain(result);

@@ -161,8 +161,7 @@ class ModelCourse {
     const bool may_grow = !has_coarse(strengths.settings());
     const auto most = static_cast<int>(may_grow ? verdict::most_packings : verification_packings);
     for (int n = verification_packings; n <= most; n += verification_packings)
-      stages_.push_back(
-          whole.stage(Kind::course_unseen, n == verification_packings, verification_packings));
+      stages_.push_back(whole.stage(Kind::course_unseen, n == verification_packings, verification_packings));
     if (!evidence_.compared.empty())
       stages_.push_back(CostOfTests(evidence_, evidence_.compared)
                             .on(Grains::own, as_measured)
@@ -177,8 +176,8 @@ class ModelCourse {
                                         course_of(strengths.settings(), evidence_.strengths));
     const Loading& loading = scope_.read_in_tests ? search_with_moduli : search_of_strengths;
     const auto batch = [&](Grains grains, std::size_t n, bool certain) {
-      PlannedStage s = strengths.on(grains, loading)
-                           .stage(Kind::course_batch, certain, static_cast<std::int64_t>(n));
+      PlannedStage s =
+          strengths.on(grains, loading).stage(Kind::course_batch, certain, static_cast<std::int64_t>(n));
       s.cost += of_learning * static_cast<double>(evidence_.strengths.size());
       stages_.push_back(s);
       if (scope_.read_in_tests) add_refit();
@@ -254,7 +253,7 @@ Ahead Outlook::ahead() const {
 }
 
 Outlook outlook_of(const Evidence& begins, int model, const std::vector<Evidence>& rivals,
-                 const CalibrationOptions& options) {
+                   const CalibrationOptions& options) {
   Outlook course{model, model + static_cast<int>(rivals.size()), ModelCourse(begins, options).stages(), {}};
   course.later = behind(course.stages, rivals, options);
   // of the model that is taken in the end, where another one may have followed

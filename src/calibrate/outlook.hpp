@@ -37,6 +37,6 @@ Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& options);
 
 /// Of the model that begins, the `model`-th; `rivals`: that may follow.
 Outlook outlook_of(const Evidence& begins, int model, const std::vector<Evidence>& rivals,
-                 const CalibrationOptions& options);
+                   const CalibrationOptions& options);
 
 }  // namespace phy::calibrate

@@ -18,9 +18,9 @@
 #include "io/output.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/calibration_folder.hpp"
-#include "report/words.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
+#include "report/words.hpp"
 #include "study/band.hpp"
 #include "study/experiment.hpp"
 #include "study/table.hpp"
@@ -99,8 +99,9 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   ProgressLine line;
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     line.show([&](double) {
-      return fmt::format("{}/{} tests{}", p.n_done, p.n_total,
-                         p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
+      return fmt::format(
+          "{}/{} tests{}", p.n_done, p.n_total,
+          p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
     });
   };
   std::vector<Recipe> recipes;

@@ -112,8 +112,8 @@ void add_check(const Rock& rock, Json& answer) {
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
   Json answer = {{"bedded", nullptr}, {"figure", nullptr}};
-  for (const char* list :
-       {"problems", "doubts", "notes", "targets", "statements", "parameters", "models", "limits", "in_maps", "summary", "forecast"})
+  for (const char* list : {"problems", "doubts", "notes", "targets", "statements", "parameters", "models",
+                           "limits", "in_maps", "summary", "forecast"})
     answer[list] = Json::array();
   const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
   try {

@@ -28,7 +28,8 @@ class CalibrationWatch {
   CalibrationWatch(const CalibrationWatch&) = delete;
   CalibrationWatch& operator=(const CalibrationWatch&) = delete;
   /// A stage: its words, where it is among the others, how long the calibration goes on.
-  void begins(const std::string& stage, const TimeLeft::Place& place, const std::optional<SecondsRange>& left);
+  void begins(const std::string& stage, const TimeLeft::Place& place,
+              const std::optional<SecondsRange>& left);
   void tests(const calibrate::TestProgress& progress, const TimeLeft::Place& place,
              const std::optional<SecondsRange>& left);
   /// None: those of before are another model's.

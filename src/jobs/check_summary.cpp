@@ -1,19 +1,26 @@
 #include "jobs/check_summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
+#include "base/text_table.hpp"
 #include "calibrate/outlook.hpp"
 #include "jobs/time_left.hpp"
 #include "maps/candidates.hpp"
+#include "report/calibration_tables.hpp"
+#include "report/words.hpp"
 
 namespace phy::jobs {
 namespace {
 
 using Kind = FindingKind;
+constexpr std::ptrdiff_t most_notes = 2;  // how the files were understood
 
 Finding angles_of(const Evidence& evidence) {
   Finding f{Kind::table_angles};
@@ -52,11 +59,10 @@ std::string best_test(const std::vector<ParameterEstimate>& open) {
   for (const ParameterEstimate& e : open)
     for (const LabTests& tests : e.next.tests)
       for (const LabTest& t : tests.any_of)
-        if (auto& list = by_property[t.property];
-            std::ranges::find(list, LabTests(t)) == list.end())
+        if (auto& list = by_property[t.property]; std::ranges::find(list, LabTests(t)) == list.end())
           list.emplace_back(t);
-  const auto best = std::ranges::max_element(
-      by_property, {}, [](const auto& tests) { return tests.second.size(); });
+  const auto best =
+      std::ranges::max_element(by_property, {}, [](const auto& tests) { return tests.second.size(); });
   if (best == by_property.end()) return "";
   std::vector<LabTests> asked;  // what is good anywhere is in what is asked for somewhere
   for (const LabTests& tests : best->second)
@@ -120,6 +126,30 @@ std::vector<Finding> summary_of(const RockCheck& check, int threads) {
   lines.push_back(check.forecast.empty() ? Finding{Kind::forecast_none} : check.forecast.front());
   add_course(check, threads, lines);
   return lines;
+}
+
+std::string rock_check(const Rock& read, const std::string& path, int width, int threads, bool all) {
+  const RockCheck found = check(read);
+  const Rock& rock = found.evidence.rock;
+  std::string text = wrapped(fmt::format("{} ({})\n", rock.name, path), width, 2);
+  const auto items = [&](const std::vector<std::string>& lines, const char* mark) {
+    for (const std::string& line : lines) text += wrapped(mark + line + "\n", width, 2);
+  };
+  items({rock.notes.begin(), rock.notes.begin() + std::min(most_notes, std::ssize(rock.notes))}, "");
+  items(report::sentences(summary_of(found, threads)), "");
+  if (!all) return text + "Details: phyllite rock check " + sh_word(path) + " --all\n";
+  text += "\n" + report::target_table(found.evidence.targets, width) + "\n";
+  if (std::ssize(rock.notes) > most_notes) items({rock.notes.begin() + most_notes, rock.notes.end()}, "- ");
+  if (found.doubts.size() > most_doubts)
+    items(report::sentences({found.doubts.begin() + most_doubts, found.doubts.end()}), "- ");
+  items(report::sentences(found.statements), "- ");
+  text += "\n" + report::identifiability_table(found.parameters, width);
+  items(found.models, "- ");
+  items(report::sentences(found.limits), "- ");
+  items(found.in_maps, "- ");
+  if (found.forecast.size() > 1)
+    items(report::sentences({found.forecast.begin() + 1, found.forecast.end()}), "- ");
+  return text;
 }
 
 }  // namespace phy::jobs

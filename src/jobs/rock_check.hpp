@@ -22,8 +22,4 @@ struct RockCheck {
 };
 RockCheck check(const Rock& read);
 
-/// In ten lines (check_summary.hpp); `all`: and every detail. `path`: the file of the rock, as named to its
-/// user. `threads`: of the calibration that is foreseen.
-std::string rock_check(const Rock& read, const std::string& path, int width, int threads, bool all);
-
 }  // namespace phy::jobs

@@ -173,7 +173,8 @@ std::string progress_text(const study::Progress& p, double seconds) {
   text += fmt::format(", {:.0f} s", seconds);
   if (p.work <= 0.0) return text + ", starting";
   return text + fmt::format(", {:.0f} per minute, about {} left",
-                            60.0 * static_cast<double>(p.n_new) / seconds, report::duration_text(p.seconds_left(seconds)));
+                            60.0 * static_cast<double>(p.n_new) / seconds,
+                            report::duration_text(p.seconds_left(seconds)));
 }
 
 }  // namespace phy::jobs

@@ -104,7 +104,8 @@ void TimeLeft::end_stage(double now) {
 }
 
 SecondsRange TimeLeft::range_of(const Speed& s, double least_cost, double most_cost) const {
-  const double known = s.cost / (s.prior + s.cost), speed = std::lerp(first_speed_, s.cost > 0.0 ? s.seconds / s.cost : 0.0, known),
+  const double known = s.cost / (s.prior + s.cost),
+               speed = std::lerp(first_speed_, s.cost > 0.0 ? s.seconds / s.cost : 0.0, known),
                doubt = std::lerp(doubt_at_first, doubt_later, known);
   return {speed * least_cost / doubt, speed * most_cost * doubt};
 }
@@ -143,17 +144,16 @@ TimeLeft::Place TimeLeft::place() const {
   if (!ahead_) return {};
   std::size_t certain = 0;
   for (std::size_t k = next_; k < ahead_->stages.size(); ++k) certain += ahead_->stages[k].certain ? 1 : 0;
-  return {ahead_->model, ahead_->models, begun_, begun_ + certain,
-          begun_ + ahead_->stages.size() - next_};
+  return {ahead_->model, ahead_->models, begun_, begun_ + certain, begun_ + ahead_->stages.size() - next_};
 }
 
 std::string TimeLeft::place_text() const {
   const Place p = place();
-  const std::string model = p.models > 1 && p.model > 0
-                                ? fmt::format("model {} of at most {}, ", p.model, p.models)
-                                : "";
-  return model + fmt::format("stage {} of {}", p.stage,
-                             report::range_text(static_cast<double>(p.least), static_cast<double>(p.most), "{:.0f}"));
+  const std::string model =
+      p.models > 1 && p.model > 0 ? fmt::format("model {} of at most {}, ", p.model, p.models) : "";
+  return model +
+         fmt::format("stage {} of {}", p.stage,
+                     report::range_text(static_cast<double>(p.least), static_cast<double>(p.most), "{:.0f}"));
 }
 
 std::string TimeLeft::left_text(double now) const {

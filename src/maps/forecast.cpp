@@ -176,8 +176,8 @@ double regression_error(const MappedModel& model, const Target& t) {
                    left_out_error(model, column_at(model, column, b.high)), b.share);
 }
 
-// Between packings of 1,197 discs, rms over the cells of five rocks (measured/forecast.csv): it falls with the
-// root of the number of grains. A verification takes at least five.
+// Between packings of 1,197 discs, rms over the cells of five rocks (measured/forecast.csv): it falls with
+// the root of the number of grains. A verification takes at least five.
 constexpr double mapped_grains = 1200.0, verification_packings = 5.0;
 double scatter_of(Property property) {
   switch (property) {
@@ -195,7 +195,8 @@ double tension_bias(double grains_across) {
   return grains_across > 0.0 ? std::max(0.0, std::pow(of_maps / grains_across, power) - 1.0) : 0.0;
 }
 
-/// What the nearest layered elastic body misses of nu, root mean square; 0 where the table has no nu beside E.
+/// What the nearest layered elastic body misses of nu, root mean square; 0 where the table has no nu beside
+/// E.
 double nu_missed_by_bodies(const Evidence& evidence) {
   if (!evidence.rock.bedded || !evidence.has(Property::E) || !evidence.has(Property::nu)) return 0.0;
   const std::vector<theory::LayeredReading> readings = layered_readings(evidence.moduli);

@@ -10,11 +10,10 @@ using F = const Finding&;
 using Kind = FindingKind;
 
 std::string batch(F f) {
-  return fmt::format("Strength search, batch {:.0f} of {:.0f}: {:.0f} {}, {} each{}", f.number("batch"),
-                     f.number("of"), f.number("points"),
-                     f.number("at_estimate") > 0.0 ? "packings at the estimate" : "points",
-                     counted_text(f.number("tests"), "test"),
-                     f.number("coarse") > 0.0 ? ", on coarse grains" : "");
+  return fmt::format(
+      "Strength search, batch {:.0f} of {:.0f}: {:.0f} {}, {} each{}", f.number("batch"), f.number("of"),
+      f.number("points"), f.number("at_estimate") > 0.0 ? "packings at the estimate" : "points",
+      counted_text(f.number("tests"), "test"), f.number("coarse") > 0.0 ? ", on coarse grains" : "");
 }
 
 }  // namespace
@@ -38,8 +37,7 @@ const std::vector<Wording>& words_of_course() {
          return fmt::format("Fitting the moduli on more packings, after {:.0f} direct solutions",
                             f.number("solutions"));
        }},
-      {Kind::course_moduli_unseen,
-       [](F) -> std::string { return "Checking the moduli on unseen packings"; }},
+      {Kind::course_moduli_unseen, [](F) -> std::string { return "Checking the moduli on unseen packings"; }},
       {Kind::course_batch, batch},
       {Kind::course_step,
        [](F f) {

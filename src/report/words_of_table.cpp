@@ -164,8 +164,10 @@ std::string columns_exchanged(F f) {
 
 std::string table_angles(F f) {
   if (!f.has("angles")) return "Read: rock without layers.";
-  const char* from = f.number("from_load") > 0.0 ? "beta, counted from the load" : "theta, counted from the horizontal";
-  if (f.number("angles") == 1.0) return fmt::format("Read: one angle, {:g} degrees ({}).", f.number("from"), from);
+  const char* from =
+      f.number("from_load") > 0.0 ? "beta, counted from the load" : "theta, counted from the horizontal";
+  if (f.number("angles") == 1.0)
+    return fmt::format("Read: one angle, {:g} degrees ({}).", f.number("from"), from);
   return fmt::format("Read: {:.0f} angles from {:g} to {:g} degrees ({}).", f.number("angles"),
                      f.number("from"), f.number("to"), from);
 }
@@ -196,9 +198,9 @@ std::string table_strengths(F f) {
 
 std::string parameters_open(F f) {
   const std::string list = list_text({f.names.begin() + 1, f.names.end()});
-  return fmt::format("Not determined: {}.{}", list,
-                     f.names.front().empty() ? ""
-                                             : fmt::format(" The test that helps most: {}.", f.names.front()));
+  return fmt::format(
+      "Not determined: {}.{}", list,
+      f.names.front().empty() ? "" : fmt::format(" The test that helps most: {}.", f.names.front()));
 }
 
 // ---- closed forms
@@ -248,8 +250,7 @@ std::string anisotropy(F f) {
 std::string scatter_assumed(F f) {
   const Property p = f.cells.front().property;
   const std::string least = miss_text(p, f.number("least")), most = miss_text(p, f.number("most"));
-  return say(f,
-             "{}: {} of {} have too few specimens to show their scatter. Usual scatter is taken: {}.",
+  return say(f, "{}: {} of {} have too few specimens to show their scatter. Usual scatter is taken: {}.",
              to_string(p), f.cells.size(), counted_text(f.number("of"), "cell"),
              least == most ? least : least + " to " + most);
 }
@@ -426,7 +427,8 @@ const std::vector<Wording>& words_in_short() {
 const std::vector<Wording>& words_of_table() {
   static const std::vector<Wording> all = [] {
     std::vector<Wording> list = doubts;
-    for (const auto* more : {&words_in_short(), &closed_forms, &limits}) list.insert(list.end(), more->begin(), more->end());
+    for (const auto* more : {&words_in_short(), &closed_forms, &limits})
+      list.insert(list.end(), more->begin(), more->end());
     return list;
   }();
   return all;

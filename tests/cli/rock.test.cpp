@@ -83,8 +83,8 @@ TEST_F(RockCli, ACheckEndsWithTheVerdictThatIsForetold) {
       at = found;
     }
   };
-  follow_one_another({"Read: ", "Moduli: E ", "Strengths: UCS ", "Doubts: ", "Not determined: ", "Forecast with ",
-                      "A calibration takes ", "Model"});
+  follow_one_another({"Read: ", "Moduli: E ", "Strengths: UCS ",
+                      "Doubts: ", "Not determined: ", "Forecast with ", "A calibration takes ", "Model"});
   ASSERT_EQ(run("rock check --all " + rock), 0) << output;
   follow_one_another({"Read: ", "theta ", "- Eq. 1 through E: E = ", "- Jaeger's plane",
                       "- Largest value over least: ", "parameter "});
@@ -109,8 +109,7 @@ TEST_F(RockCli, ACheckBeginsWithTheQuestionOfTheAnglesThenTheOtherDoubts) {
 TEST_F(RockCli, ATableOfBetaUnderThetaIsAskedInTheFirstLineOfCheckAndCalibration) {
   write("t.csv", "theta [deg],E [GPa],UCS [MPa]\n0,31,165\n30,27,98\n45,25,112\n60,23,128\n90,20,150\n");
   const std::string rock = write("t.toml", "data = \"t.csv\"\n");
-  const auto question =
-      HasSubstr("These angles look like beta. With theta = 90 - angle, planes miss ");
+  const auto question = HasSubstr("These angles look like beta. With theta = 90 - angle, planes miss ");
   ASSERT_EQ(run("rock check " + rock), 0) << output;
   EXPECT_THAT(output, question);
   small_recipe();
@@ -120,7 +119,8 @@ TEST_F(RockCli, ATableOfBetaUnderThetaIsAskedInTheFirstLineOfCheckAndCalibration
   EXPECT_THAT(output, question);
   write("b.csv", "beta [deg],E [GPa],UCS [MPa]\n0,31,165\n30,27,98\n45,25,112\n60,23,128\n90,20,150\n");
   ASSERT_EQ(run("rock check " + write("b.toml", "data = \"b.csv\"\n")), 0) << output;
-  EXPECT_THAT(output, AllOf(HasSubstr("(beta, counted from the load)"), testing::Not(HasSubstr("look like beta"))));
+  EXPECT_THAT(output,
+              AllOf(HasSubstr("(beta, counted from the load)"), testing::Not(HasSubstr("look like beta"))));
 }
 
 TEST_F(RockCli, ACheckOfRockWithoutBeddingSaysNothingOfLayers) {
