@@ -49,8 +49,8 @@ function watch() {
       done.show(p.n_done, p.n_total);
       time.show(seconds);
       tests.textContent = running && p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage. ` : "";
-      const [model, models] = p.model, [stage, least, most] = p.stages;
-      const place = stage > 0 ? `${model > 0 && models > 1 ? `model ${model} of at most ${models}, ` : ""}stage ${stage} of ${least === most ? most : `${least} to ${most}`}, ` : "";
+      const [model, models] = p.model, [kth, least, most] = p.stages;
+      const place = kth > 0 ? `${model > 0 && models > 1 ? `model ${model} of at most ${models}, ` : ""}stage ${kth} of ${least === most ? most : `${least} to ${most}`}, ` : "";
       const known = place + (p.seconds_left === null ? "time left not known yet" : `${between(...p.seconds_left)} left`);
       left.textContent = running ? `, ${known}.` : `It took ${duration(p.seconds)}.`;
       const now = running ? p.pressed : null;
