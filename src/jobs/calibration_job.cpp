@@ -32,8 +32,10 @@ calibrate::Listener CalibrationJob::listener(const CalibrationHooks& hooks) {
   calibrate::Listener l;
   l.outlook = [&](const calibrate::Outlook& ahead) { clock_->outlook(ahead, now()); };
   l.begins = [&](const Finding& stage) {
-    clock_->begins(stage.kind, now());
     const std::string text = report::sentence(stage);
+    // between models there is no stage yet, and a stage within another says nothing new
+    if (!clock_->begins(stage.kind, now()))
+      return stage.kind == FindingKind::course_model ? hooks.say(text) : void();
     hooks.say(fmt::format("{} ({}, {})", text, clock_->place_text(), clock_->left_text(now())));
     if (watch_) watch_->begins(text, clock_->place(), clock_->at(now()));
   };

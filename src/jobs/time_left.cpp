@@ -77,14 +77,15 @@ void TimeLeft::outlook(const calibrate::Outlook& ahead, double now) {
   ahead_ = ahead, next_ = 0, begun_ = 0;
 }
 
-void TimeLeft::begins(FindingKind stage, double now) {
-  if (!ahead_) return;
+bool TimeLeft::begins(FindingKind stage, double now) {
+  if (!ahead_) return false;
   const auto& all = ahead_->stages;
   const auto it = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(next_), all.end(),
                                [&](const PlannedStage& s) { return s.kind == stage; });
-  if (it == all.end()) return;  // within another, as moduli that are fitted again
+  if (it == all.end()) return false;
   end_stage(now);
   next_ = static_cast<std::size_t>(it - all.begin()) + 1, ++begun_;
+  return true;
 }
 
 void TimeLeft::tests(const calibrate::TestProgress& progress) { tests_ = progress; }

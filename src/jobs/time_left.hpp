@@ -30,7 +30,8 @@ class TimeLeft {
   explicit TimeLeft(double seconds_per_cost) : first_speed_(seconds_per_cost) {}
 
   void outlook(const calibrate::Outlook& ahead, double now);
-  void begins(FindingKind stage, double now);
+  /// False: it is no stage of its own, as moduli that are fitted again within another.
+  bool begins(FindingKind stage, double now);
   void tests(const calibrate::TestProgress& progress);
   /// Nothing before an outlook.
   std::optional<SecondsRange> at(double now) const;

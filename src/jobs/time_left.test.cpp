@@ -117,7 +117,7 @@ TEST(TimeLeft, StagesAndModelsAreCounted) {
   EXPECT_EQ(place.stage, 2U);
   EXPECT_LT(place.least, place.most);
   clock.begins(FindingKind::course_batch, 2.0);
-  clock.begins(FindingKind::course_moduli_packings, 2.5);  // fitted again, within the batch
+  EXPECT_FALSE(clock.begins(FindingKind::course_moduli_packings, 2.5)) << "fitted again, within the batch";
   EXPECT_EQ(clock.place().stage, 3U);
 }
 
