@@ -195,9 +195,10 @@ class Rock:
         """The table as a calibration reads it: a Target per quantity and inclination."""
         return [Target(**row) for row in self._record.targets]
 
-    def check(self) -> str:
-        """What its data can and cannot determine, before anything runs, as `phyllite rock check` prints it."""
-        return self._record.check()
+    def check(self, all: bool = False) -> str:
+        """What its data can and cannot determine, before anything runs, as `phyllite rock check` prints it.
+        `all`: with every detail."""
+        return self._record.check(all)
 
     def __repr__(self) -> str:
         return f"<phyllite.Rock \"{self.name}\">"

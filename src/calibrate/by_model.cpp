@@ -60,8 +60,7 @@ void run_stages(const StageTask& task, Found& found, Pictures& pictures) {
   if (!found.verified) found.verified = verified(found.moduli);
   const Recipe recipe = ready_to_run(found.recipe(), task.evidence);
   if (task.method().has_posterior && has_eq2(recipe)) {  // a sequence has lines of its own on the way
-    task.options.listener.say(
-        "Eq. 2 on packings of the fit, and what spacing and rule of the planes change in it");
+    task.options.listener.begins({FindingKind::course_eq2});
     found.eq2 =
         eq2_band(recipe, {task.packings.fit.begin(), task.packings.fit.begin() + n_eq2}, task.simulator);
   }

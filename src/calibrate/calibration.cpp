@@ -1,7 +1,5 @@
 #include "calibrate/calibration.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "base/check.hpp"
 #include "calibrate/by_model.hpp"
 #include "calibrate/model_trial.hpp"
+#include "calibrate/outlook.hpp"
 #include "maps/placing.hpp"
 #include "survey/cells.hpp"
 #include "verdict/causes.hpp"
@@ -61,8 +60,8 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     result.notes.push_back(
         {FindingKind::model_without_rivals, {}, {}, {maps::model_in_words(candidates.front())}});
   } else if (candidates.size() > 1) {
-    const maps::ModelChoice choice =
-        choose_model(evidence, candidates, evidence.rock.model.packing.seed, simulator, options.listener.say);
+    const maps::ModelChoice choice = choose_model(evidence, candidates, evidence.rock.model.packing.seed,
+                                                  simulator, options.listener.begins);
     const Rock& rock = choice.rock();
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
       return r.layers != rock.layers || r.matrix != rock.matrix;
@@ -120,10 +119,12 @@ class Trial {
 
   /// By the model that was taken and, as long as what was found is out of reach, by its rivals.
   Attempt run() {
+    say_outlook(models_.taken, 0);
     Tried found = by(models_.taken, models_.rivals.empty());
     for (std::size_t k = 0; k < models_.rivals.size() && tries(models_.rivals[k], found); ++k) {
       const Model& rival = models_.rivals[k];
-      options_.listener.say(fmt::format("{}: out of reach; now {}", found.by->name(), rival.name()));
+      options_.listener.begins({FindingKind::course_model, {}, {}, {rival.name(), tried_.back()->name()}});
+      say_outlook(rival, k + 1);
       options_.listener.estimates({});
       found = nearer_of(std::move(found), by(rival, false));
       found.attempt.calibration.rival = models_.advice(k + 1);
@@ -144,6 +145,18 @@ class Trial {
   std::vector<Finding> results_;  // of each
 
   std::int64_t left() const { return options_.max_tests - (simulator_.count().compression() - first_test_); }
+
+  bool may_be_tried(const Model& rival) const { return !rival.misses_modulus || options_.elastic_only; }
+
+  /// Before the model begins behind which the rivals from the k-th on may be tried.
+  void say_outlook(const Model& model, std::size_t k) const {
+    std::vector<Evidence> rivals;
+    for (std::size_t r = k; r < models_.rivals.size() && may_be_tried(models_.rivals[r]); ++r)
+      rivals.push_back(models_.rivals[r].evidence);
+    CalibrationOptions rest = options_;
+    rest.max_tests = left();
+    options_.listener.outlook(outlook_of(model.evidence, static_cast<int>(k) + 1, rivals, rest));
+  }
 
   /// What is known of the share of its planes is noted with the rest.
   Tried by(const Model& model, bool pictures_at_once) {
@@ -174,8 +187,7 @@ class Trial {
 
   /// Is what was found out of reach, may a rival not be, and do the tests that are left pay for it?
   bool tries(const Model& rival, const Tried& found) const {
-    return found.status() == VerdictStatus::out_of_reach &&
-           (!rival.misses_modulus || options_.elastic_only) &&
+    return found.status() == VerdictStatus::out_of_reach && may_be_tried(rival) &&
            left() >= std::max(n_one_, least_tests(rival.evidence, options_));
   }
 
@@ -221,14 +233,15 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   Calibration result;
   result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is, result.method = options.method;
   method_of(options.method).check(evidence);
+  options.listener.outlook(outlook_of(evidence, options));
   try {
     const Models models = models_of(evidence, result, options, simulator);
     Attempt attempt = Trial(models, result, options, simulator, before.compression()).run();
     result = std::move(attempt.calibration);
     result.counts = simulator.count() - before;
     if (result.verdict.status != VerdictStatus::interrupted)
-      run_for_pictures(attempt.pictures, simulator);  // which count for nothing
-  } catch (const Stopped&) {                          // while the models were compared, or at the pictures
+      run_for_pictures(attempt.pictures, options.listener, simulator);  // which count for nothing
+  } catch (const Stopped&) {  // while the models were compared, or at the pictures
     result.verdict = {VerdictStatus::interrupted, {{FindingKind::stopped}}};
   }
   verdict::explain(result);

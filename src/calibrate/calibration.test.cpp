@@ -466,7 +466,7 @@ TEST_F(ARival, LacksAnEThatScatterDoesNotExplain) {
     Rock planes = one, directions = one;
     planes.layers = LayerModel::planes, directions.layers = LayerModel::directions;
     const maps::ModelChoice choice =
-        choose_model(Evidence(one), {planes, directions}, 1, press, [](const std::string&) {});
+        choose_model(Evidence(one), {planes, directions}, 1, press, [](const Finding&) {});
     EXPECT_FALSE(choice.rivals.front().has_modulus());
     return choice.rivals.front().misses_modulus;
   };
@@ -480,7 +480,7 @@ TEST_F(ARival, IsExpectedTheSameBySeveralThreads) {
   const auto text = [&](int threads) {
     press.n_threads = threads;
     const maps::ModelChoice choice =
-        choose_model(Evidence(rock), {planes, directions}, 1, press, [](const std::string&) {});
+        choose_model(Evidence(rock), {planes, directions}, 1, press, [](const Finding&) {});
     return fmt::format("{} {}", choice.rivals[0].strength_error, choice.rivals[1].strength_error);
   };
   EXPECT_EQ(text(1), text(3));

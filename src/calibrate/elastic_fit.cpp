@@ -1,7 +1,5 @@
 #include "calibrate/elastic_fit.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -207,17 +205,19 @@ void find_nearest_nu(ElasticProblem& problem, Point& x) {
 
 ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
                        const std::vector<std::int64_t>& spare, Simulator& simulator,
-                       const std::function<void(const std::string&)>& say) {
+                       const std::function<void(const Finding&)>& begins) {
   ElasticFit fit;
   fit.recipe = evidence.rock.model;
   if (!evidence.has(Property::E)) return fit;
+  begins({FindingKind::course_moduli});
   const std::int64_t first_solution = simulator.count().solutions;
   ElasticProblem problem(evidence, simulator);
   problem.use_packings({seeds.front()});
   Point x = problem.first_guess(seeds.front());
   minimise(problem, x, 20, 1e-3);
-  say(fmt::format("moduli fitted on one packing by {} direct solutions, now on more",
-                  simulator.count().solutions - first_solution));
+  begins({FindingKind::course_moduli_packings,
+          {},
+          {{"solutions", static_cast<double>(simulator.count().solutions - first_solution)}}});
   problem.use_packings(seeds);
   problem.weigh_packings(x);
   refine(problem, x, std::min(n_first_correction, seeds.size()));  // near the answer, then at it

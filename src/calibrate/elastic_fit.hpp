@@ -35,6 +35,6 @@ struct ElasticFit {
 /// of them, taken in turn where E differs much between packings.
 ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
                        const std::vector<std::int64_t>& spare, Simulator& simulator,
-                       const std::function<void(const std::string&)>& say);
+                       const std::function<void(const Finding&)>& begins);
 
 }  // namespace phy::calibrate

@@ -55,7 +55,7 @@ class ElasticStage : public testing::Test {
   std::unique_ptr<Simulator> simulator = make_simulator({2, "", nullptr, nullptr});
   Rock rock = small_rock();
   ElasticFit fit(const std::vector<Target>& targets) {
-    return fit_elastic(Evidence(rock, targets), seeds, {}, *simulator, [](const std::string&) {});
+    return fit_elastic(Evidence(rock, targets), seeds, {}, *simulator, [](const Finding&) {});
   }
   /// With the unseen packings those of the fit.
   static Verdict judged(const ElasticFit& f) {
@@ -95,7 +95,7 @@ TEST_F(ElasticStage, IntervalsKnowThatOnePackingServesAllAngles) {
   for (std::size_t i = 0; i < targets.size(); ++i)
     targets[i].mean = values[i].mean, targets[i].sd = 1e-6, targets[i].n = 100;
   const auto fit_on = [&](const std::vector<std::int64_t>& packings) {
-    return fit_elastic(Evidence(rock, targets), packings, {}, *simulator, [](const std::string&) {});
+    return fit_elastic(Evidence(rock, targets), packings, {}, *simulator, [](const Finding&) {});
   };
   std::vector<double> alone;
   for (const std::int64_t seed : five) alone.push_back(std::log(fit_on({seed}).parameters[0].value));
@@ -147,7 +147,7 @@ TEST_F(ElasticStage, ARockStifferAcrossItsBeddingIsOutOfReach) {
     targets.push_back({Property::E, theta, (40.0 - 0.2 * theta) * 1e9, 0.2e9, 3, false});
   // two packings would tell nothing of their own scatter
   const ElasticFit f =
-      fit_elastic(Evidence(rock, targets), {1, 2, 3, 4, 5}, {}, *simulator, [](const std::string&) {});
+      fit_elastic(Evidence(rock, targets), {1, 2, 3, 4, 5}, {}, *simulator, [](const Finding&) {});
   EXPECT_EQ(judged(f).status, VerdictStatus::out_of_reach);
 }
 

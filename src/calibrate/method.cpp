@@ -12,7 +12,7 @@ const Method& method_of(CalibrationMethod id) {
                                    .fit_moduli =
                                        [](const ModuliTask& t) {
                                          return fit_elastic(t.evidence, t.packings, t.spare, t.simulator,
-                                                            t.listener.say);
+                                                            t.listener.begins);
                                        },
                                    .fit_strengths = fit_strength};
   static const Method sequence = {.has_posterior = false,
@@ -22,7 +22,7 @@ const Method& method_of(CalibrationMethod id) {
                                   .fit_moduli =
                                       [](const ModuliTask& t) {
                                         return moduli_by_sequence(t.evidence, t.packings, t.simulator,
-                                                                  t.listener.say);
+                                                                  t.listener.begins);
                                       },
                                   .fit_strengths = strengths_by_sequence};
   return id == CalibrationMethod::posterior ? posterior : sequence;

@@ -60,7 +60,7 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int thr
 ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& simulator) {
   std::vector<std::int64_t> seeds = {seed};
   while (has_bridges(evidence.rock.model) && std::ssize(seeds) < n_bridged) seeds.push_back(seeds.back() + 1);
-  return fit_elastic(evidence, seeds, {}, simulator, [](const std::string&) {});
+  return fit_elastic(evidence, seeds, {}, simulator, [](const Finding&) {});
 }
 
 maps::Rival rival_of(const Evidence& evidence, const ElasticFit& fit, int threads) {
@@ -74,8 +74,8 @@ maps::Rival rival_of(const Evidence& evidence, const ElasticFit& fit, int thread
 
 maps::ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates,
                                std::int64_t seed, Simulator& simulator,
-                               const std::function<void(const std::string&)>& say) {
-  say("which model predicts what it has not seen");
+                               const std::function<void(const Finding&)>& begins) {
+  begins({FindingKind::course_models});
   maps::ModelChoice choice;
   const auto meets = [&](const Rock& rock) {
     const auto forecast = maps::forecast_of(Evidence(rock, evidence.targets));

@@ -13,6 +13,6 @@ namespace phy::calibrate {
 /// Of the candidates, two or more.
 maps::ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates,
                                std::int64_t seed, Simulator& simulator,
-                               const std::function<void(const std::string&)>& say);
+                               const std::function<void(const Finding&)>& begins);
 
 }  // namespace phy::calibrate

@@ -26,7 +26,7 @@ class PaperPress : public Simulator {
   bool stops_statics = false;  ///< the user stops in the middle of the direct solutions
   int n_threads = 1;
   std::int64_t stop_after = -1;  ///< tests, then the user has stopped; -1: never
-  std::int64_t n_tests = 0, n_announced = 0;
+  std::int64_t n_tests = 0;
 
   std::vector<ElasticResult> solve(const std::vector<Recipe>& recipes, Statics) override {
     if (stops_statics) throw Stopped{};
@@ -69,9 +69,6 @@ class PaperPress : public Simulator {
                               {"nu", theory::goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
     }
     return results;
-  }
-  void announce(const std::vector<Recipe>& recipes) override {
-    n_announced = static_cast<std::int64_t>(recipes.size());
   }
   int threads() const override { return n_threads; }
   bool stopped() const override { return stop_after >= 0 && n_tests >= stop_after; }

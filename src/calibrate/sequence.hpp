@@ -36,7 +36,7 @@ void check_sequence(const Evidence& evidence);
 
 /// In place of fit_elastic().
 ElasticFit moduli_by_sequence(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
-                              Simulator& simulator, const std::function<void(const std::string&)>& say);
+                              Simulator& simulator, const std::function<void(const Finding&)>& begins);
 
 /// In place of fit_strength(), on the first packing of the task; moduli are fitted anew after every round
 /// that moved a strength.

@@ -227,8 +227,8 @@ void check_sequence(const Evidence& evidence) {
 }
 
 ElasticFit moduli_by_sequence(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
-                              Simulator& simulator, const std::function<void(const std::string&)>& say) {
-  say("moduli by Eq. 1, joints by Eq. 2 on the packings of the fit");
+                              Simulator& simulator, const std::function<void(const Finding&)>& begins) {
+  begins({FindingKind::course_moduli});
   return SequenceOfModuli(evidence, seeds, simulator).found();
 }
 

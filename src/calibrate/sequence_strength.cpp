@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -15,7 +13,6 @@ constexpr double met = 0.02;            // of a UCS: a third of what the verdict
 constexpr double first_stride = 0.7;    // of the logarithm: a factor of two
 constexpr double least_bracket = 0.01;  // of the logarithm
 constexpr int most_rounds = 4;
-constexpr std::size_t usual_tests = 8;  // of one strength, for the remaining time
 
 /// A strength and the UCS that is to tell it, by its place among the strengths of the table.
 struct Step {
@@ -70,7 +67,7 @@ class Sequence {
         refit_(task.refit),
         seed_(task.seeds.front()),
         simulator_(task.simulator),
-        say_(task.listener.say),
+        begins_(task.listener.begins),
         fit_(fit),
         steps_(steps_of(evidence_)),
         left_(task.budget.max_tests - evidence_.n_compressive()),
@@ -80,7 +77,6 @@ class Sequence {
   }
 
   void run() {
-    announce();
     bool settled = false;
     for (int round = 1; round <= most_rounds && !settled && left_ > 0; ++round) {
       settled = !moved_in(round);
@@ -97,7 +93,7 @@ class Sequence {
   const RefitModuli& refit_;
   std::int64_t seed_;
   Simulator& simulator_;
-  const std::function<void(const std::string&)>& say_;
+  const std::function<void(const Finding&)>& begins_;
   StrengthFit& fit_;
   std::vector<Step> steps_;
   std::int64_t left_;  ///< tests in compression, those of all strengths at the end put aside
@@ -110,13 +106,14 @@ class Sequence {
     bool moved = false;
     for (const Step& step : steps_) {
       if (left_ <= 0) return true;
-      say_(fmt::format("sequence, round {}: {} against {}", round, step.parameter->symbol, name(step)));
+      begins_({FindingKind::course_step,
+               {cell_of(evidence_.strengths[step.target])},
+               {{"round", static_cast<double>(round)}},
+               {step.parameter->symbol}});
       moved = seek(step) || moved;
     }
     return moved;
   }
-
-  std::string name(const Step& step) const { return cell_name(evidence_.strengths[step.target]); }
 
   /// log(UCS of the model/UCS of the table) with the strength at exp(x), one test; NaN without a peak.
   double miss_at(const Step& step, double x) {
@@ -212,18 +209,6 @@ class Sequence {
       if (std::none_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.target == i; }))
         unused.push_back(cell_of(evidence_.strengths[i]));
     if (!unused.empty()) fit_.notes.push_back({FindingKind::values_unused, std::move(unused)});
-  }
-
-  /// About as many as it takes, the verification included.
-  void announce() {
-    std::vector<Recipe> all;
-    for (const Step& step : steps_)
-      for (std::size_t k = 0; k < usual_tests; ++k)
-        all.push_back(tests_.of(fit_.recipe, step.target, seed_, as_measured));
-    for (std::size_t i = 0; i < evidence_.strengths.size(); ++i)
-      for (int k = 0; k <= verification_packings; ++k)
-        all.push_back(tests_.of(fit_.recipe, i, seed_, as_measured));
-    simulator_.announce(all);
   }
 };
 

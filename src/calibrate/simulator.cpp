@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/clock.hpp"
 #include "base/parallel.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/settle.hpp"
@@ -50,47 +51,12 @@ class TemporaryFile {
   std::filesystem::path folder_;
 };
 
-/// Costs and times of all batches so far.
-class Clockwork {
- public:
-  void announce(const std::vector<Recipe>& recipes) {
-    to_come_.clear();
-    for (const Recipe& r : recipes) to_come_.push_back(study::expected_cost(r));
-  }
-  void begin(std::size_t n_tests) {
-    to_come_.erase(to_come_.begin(),
-                   to_come_.begin() + static_cast<std::ptrdiff_t>(std::min(n_tests, to_come_.size())));
-    start_ = std::chrono::steady_clock::now();
-  }
-  /// Expected cost of all that is left, scaled by what finished tests took, over the speed so far.
-  double seconds_left(const study::Progress& now) const {
-    const double work = work_ + now.work, cost = cost_new_ + now.cost_new, took = work_new_ + now.work_new;
-    if (!(work > 0.0) || !(took > 0.0)) return 0.0;
-    const double later = std::accumulate(to_come_.begin(), to_come_.end(), 0.0);
-    const double left = took / cost * (now.cost_new + now.cost_left + later) - now.work;
-    return (seconds_ + since_start()) / work * std::max(0.0, left);
-  }
-  void end(const study::Progress& last) {
-    seconds_ += since_start();
-    work_ += last.work, work_new_ += last.work_new, cost_new_ += last.cost_new;
-  }
-
- private:
-  std::vector<double> to_come_;
-  double seconds_ = 0.0, work_ = 0.0, work_new_ = 0.0, cost_new_ = 0.0;
-  std::chrono::steady_clock::time_point start_;
-  double since_start() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-};
-
 class OwnSimulator : public Simulator {
  public:
   explicit OwnSimulator(SimulatorOptions options) : options_(std::move(options)) {
     if (!options_.store.empty()) store_ = std::make_unique<study::Store>(options_.store);
   }
 
-  void announce(const std::vector<Recipe>& recipes) override { clockwork_.announce(recipes); }
   int threads() const override { return options_.threads; }
 
  private:
@@ -111,7 +77,6 @@ class OwnSimulator : public Simulator {
   }
 
   std::vector<TestResult> run(const std::vector<Recipe>& recipes) override {
-    clockwork_.begin(recipes.size());
     const study::Plan plan = study::plan_of(recipes);
     if (options_.sink != nullptr)
       for (const study::PlannedTest& t : plan.tests)
@@ -133,7 +98,6 @@ class OwnSimulator : public Simulator {
   std::unique_ptr<TemporaryFile> temporary_;
   std::unique_ptr<study::Store> store_;
   std::map<std::string, std::shared_ptr<const Packing>> packings_;
-  Clockwork clockwork_;
 
   study::Store& store() {
     if (!store_) {
@@ -164,9 +128,10 @@ class OwnSimulator : public Simulator {
   void run_plan(const study::Plan& plan) {
     study::Hooks hooks;
     hooks.stop = options_.stop;
+    const auto start = std::chrono::steady_clock::now();
     if (options_.on_progress)
       hooks.on_progress = [&](const study::Progress& p) {
-        options_.on_progress({p.n_done, p.n_total, clockwork_.seconds_left(p)});
+        options_.on_progress({p.n_done, p.n_total, p.n_new, p.seconds_left(seconds_since(start))});
       };
     if (options_.on_reading)
       hooks.on_reading = [&](std::size_t test, double strain, double stress) {
@@ -185,7 +150,6 @@ class OwnSimulator : public Simulator {
     machine.threads = options_.threads, machine.isa = engine::native_isa();
     const study::WorkReport report = study::work_at(queue, plan, machine);
     if (options_.on_work) options_.on_work(report);
-    clockwork_.end(queue.progress());
   }
 };
 

@@ -39,8 +39,6 @@ class Simulator {
   std::vector<TestResult> test(const std::vector<Recipe>& recipes, Grains grains = Grains::own);
   /// What was asked for and answered so far.
   const SimulatorCount& count() const { return count_; }
-  /// Tests like these will be asked for next, in this order: for the remaining time, for nothing else.
-  virtual void announce(const std::vector<Recipe>&) {}
   /// As many as the user gives the calibration, also for what it computes itself.
   virtual int threads() const { return 1; }
 
@@ -54,10 +52,11 @@ class Simulator {
   virtual bool stopped() const = 0;
 };
 
-/// Finished and all tests of the present batch, and the time to go, announced tests included.
+/// How far the tests of the present batch are.
 struct TestProgress {
   std::size_t n_done = 0, n_total = 0;
-  double seconds_left = 0.0;  ///< 0: not known yet
+  std::size_t n_new = 0;      ///< of those done: not known from a store
+  double seconds_left = 0.0;  ///< of this batch; 0: not known yet
 };
 
 /// Where specimens go whose tests keep pictures (keeps_pictures()): a store holds numbers, curves and cracks

@@ -54,7 +54,7 @@ Moduli on_packings(const StageTask& task, ElasticFit fit, const Recipe& recipe,
 Moduli fit_moduli(const StageTask& task) {
   ElasticFit fit = moduli_of(task, task.evidence);
   const Recipe recipe = fit.recipe;
-  task.options.listener.say("verification of the moduli on unseen packings");
+  task.options.listener.begins({FindingKind::course_moduli_unseen});
   return on_packings(task, std::move(fit), recipe, task.packings.unseen);
 }
 
@@ -84,7 +84,7 @@ Strengths with_measured_softening(const StageTask& task, Strengths found) {
   Strengths nearest;
   double least_misfit = std::numeric_limits<double>::infinity();
   for (int pass = 1; pass <= most_passes; ++pass) {
-    task.options.listener.say("moduli as the laboratory reads them, at the estimate");
+    task.options.listener.begins({FindingKind::course_softening});
     const Softenings measured = softenings_of(
         {found.fit.recipe, evidence.rock.model, tests, packings, evidence.rock.E_is}, task.simulator);
     if (measured.empty()) break;

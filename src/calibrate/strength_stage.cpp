@@ -1,7 +1,5 @@
 #include "calibrate/strength_stage.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -227,7 +225,6 @@ class StrengthSearch {
   void run() {
     const std::size_t n_planned = plan_.batches.size();
     learn(0);  // from the prior mean alone
-    announce();
     for (std::size_t b = 0; b < plan_.batches.size(); ++b) {
       const Point tried = estimate_;
       const double surprise = run_batch(b);
@@ -290,22 +287,6 @@ class StrengthSearch {
     return recipes;
   }
 
-  /// All tests to come, the verification included, at the middle of the box.
-  void announce() {
-    std::vector<Recipe> all;
-    const Point middle = posterior_.middle_of_box();
-    PackingDealer packings(task_.seeds.size());
-    for (const Batch& b : plan_.batches)
-      for (Recipe& r : recipes_of({b.grains, std::vector<Point>(b.n_points, middle), packings.deal(b)}))
-        all.push_back(std::move(r));
-    const Loadings verification = of_verification(static_cast<bool>(task_.refit), {});
-    for (std::size_t i = 0; i < targets_.size(); ++i)
-      for (int k = 0; k < verification_packings; ++k)
-        all.push_back(tests_.of(posterior_.recipe_at(fit_.recipe, middle), i, task_.seeds.front(),
-                                k == 0 ? verification.first : verification.others));
-    task_.simulator.announce(all);
-  }
-
   /// Runs a batch and hands its answers to the surrogates; by how much they surprise.
   double run_batch(std::size_t b) {
     const Batch& batch = plan_.batches[b];
@@ -313,10 +294,14 @@ class StrengthSearch {
                            batch.at_estimate ? std::vector<Point>(batch.n_points, estimate_)
                                              : spread_draws(estimate_, draws_, batch.n_points),
                            dealer_.deal(batch)};
-    task_.listener.say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1,
-                                   plan_.batches.size(), batch.n_points,
-                                   batch.at_estimate ? "packings at the estimate" : "points", targets_.size(),
-                                   batch.grains == Grains::coarse ? " on coarse grains" : ""));
+    task_.listener.begins({FindingKind::course_batch,
+                           {},
+                           {{"batch", static_cast<double>(b + 1)},
+                            {"of", static_cast<double>(plan_.batches.size())},
+                            {"points", static_cast<double>(batch.n_points)},
+                            {"tests", static_cast<double>(targets_.size())},
+                            {"at_estimate", batch.at_estimate ? 1.0 : 0.0},
+                            {"coarse", batch.grains == Grains::coarse ? 1.0 : 0.0}}});
     const std::vector<Recipe> recipes = recipes_of(design);
     const std::vector<TestResult> results = task_.simulator.test(recipes, batch.grains);
     if (task_.refit) learn_softening(design, recipes, results);

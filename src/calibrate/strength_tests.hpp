@@ -53,6 +53,8 @@ class StrengthTests {
   /// `foreseen`: strength that the specimen may be too weak to exceed [Pa]; its approach ends earlier then.
   Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed, const Loading& loading,
             double foreseen = std::numeric_limits<double>::infinity()) const;
+  /// At which a target is expected to peak, in the measure of its test.
+  double peak_strain(std::size_t target) const { return strains_[target]; }
 
  private:
   std::vector<Target> targets_;

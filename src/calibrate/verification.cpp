@@ -1,7 +1,5 @@
 #include "calibrate/verification.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -106,8 +104,8 @@ UnseenTests run_unseen(const StageTask& task, const StrengthFit& fit, const Pict
   for (std::int64_t more = task.packings.next_unseen;; more += verification_packings) {
     unseen.packings.insert(unseen.packings.end(), next.begin(), next.end());
     v.n_packings = static_cast<int>(unseen.packings.size());
-    task.options.listener.say(
-        fmt::format("verification of the strengths on {} unseen packings", v.n_packings));
+    task.options.listener.begins(
+        {FindingKind::course_unseen, {}, {{"packings", static_cast<double>(v.n_packings)}}});
     series.take(next);
     unseen.strengths = series.strengths();
     unseen.strengths.resize(evidence.strengths.size());
@@ -127,7 +125,8 @@ void compare_toughness(Verified& v, const StageTask& task, const Recipe& recipe,
                        const std::vector<std::int64_t>& packings) {
   const std::vector<Target>& compared = task.evidence.compared;
   if (compared.empty()) return;
-  task.options.listener.say(fmt::format("K_Ic on {} unseen packings, to compare", packings.size()));
+  task.options.listener.begins(
+      {FindingKind::course_toughness, {}, {{"packings", static_cast<double>(packings.size())}}});
   v.compared = strength_response(recipe, compared, packings, as_measured, task.simulator);
   const std::vector<Finding> notes = toughness_findings(v.compared, recipe);
   v.notes.insert(v.notes.begin(), notes.begin(), notes.end());
@@ -173,8 +172,9 @@ Verified verified(const StageTask& task, const Moduli& moduli, const Strengths& 
   return v;
 }
 
-void run_for_pictures(const Pictures& pictures, Simulator& simulator) {
+void run_for_pictures(const Pictures& pictures, const Listener& listener, Simulator& simulator) {
   if (pictures.at_once || pictures.tests.empty()) return;
+  listener.begins({FindingKind::course_pictures});
   strength_response(pictures.recipe, pictures.tests, {pictures.packing}, as_measured, simulator);
 }
 

@@ -30,7 +30,7 @@ Verified verified(const StageTask& task, const Moduli& moduli, const Strengths& 
                   Pictures& pictures);
 
 /// Specimens for a verification that has kept none.
-void run_for_pictures(const Pictures& pictures, Simulator& simulator);
+void run_for_pictures(const Pictures& pictures, const Listener& listener, Simulator& simulator);
 
 /// A recipe that keeps pictures as usual.
 Recipe with_pictures(Recipe recipe);

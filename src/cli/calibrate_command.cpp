@@ -46,13 +46,15 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   jobs::CalibrationJob job(rock::read_rock(args.rock), args);
   const int width = session.terminal_width;
   print_table(job.evidence(), args.rock, width);
+  if (args.resume && !job.resumes())
+    print_wrapped(width, 2, "{} holds no test of an earlier run: the calibration begins afresh.\n", args.out);
   ProgressLine line;
   study::WorkReport work;
   jobs::CalibrationHooks hooks;
   hooks.threads = n_threads(session), hooks.stop = stop_on_interrupt();
   hooks.say = [&](const std::string& text) { line.stage(text); };
-  hooks.tests = [&](const calibrate::TestProgress& p) {
-    line.show([&](double) { return jobs::progress_text(p); });
+  hooks.tests = [&](const calibrate::TestProgress&, const std::string& text) {
+    line.show([&](double) { return text; });
   };
   hooks.work = [&](const study::WorkReport& some) {
     work.cpu_seconds += some.cpu_seconds, work.lanes.add(some.lanes);

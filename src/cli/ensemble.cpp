@@ -20,6 +20,7 @@
 #include "jobs/calibration_folder.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
+#include "report/words.hpp"
 #include "study/band.hpp"
 #include "study/experiment.hpp"
 #include "study/table.hpp"
@@ -98,7 +99,9 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   ProgressLine line;
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     line.show([&](double) {
-      return fmt::format("{}/{} tests, time left: {}", p.n_done, p.n_total, jobs::time_left(p));
+      return fmt::format(
+          "{}/{} tests{}", p.n_done, p.n_total,
+          p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
     });
   };
   std::vector<Recipe> recipes;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -25,6 +26,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string hint(const std::string& word, const Names& names, const std::string& otherwise) {
+  if (word == "lab" && std::ranges::find(names, "gui") != names.end())
+    return "the page in the browser is `phyllite gui`";  // its name until 0.1
   const std::string near = phy::nearest(word, names);
   return near.empty() ? otherwise : "did you mean " + near + "?";
 }

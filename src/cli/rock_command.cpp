@@ -12,8 +12,8 @@
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
+#include "jobs/check_summary.hpp"
 #include "jobs/keys.hpp"
-#include "jobs/rock_check.hpp"
 #include "jobs/tables_reference.hpp"
 #include "rock/file.hpp"
 #include "rock/template.hpp"
@@ -83,8 +83,8 @@ int rock_new(const std::string& given, const std::string& data) {
   return 0;
 }
 
-int rock_check(const std::string& path, int width) {
-  write_out(jobs::rock_check(rock::read_rock(path), path, width));
+int rock_check(const std::string& path, bool all, const Session& session) {
+  write_out(jobs::rock_check(rock::read_rock(path), path, session.terminal_width, n_threads(session), all));
   return 0;
 }
 
@@ -138,9 +138,11 @@ void add_new(CLI::App& rock, Session& session) {
 
 void add_check(CLI::App& rock, Session& session) {
   auto path = std::make_shared<std::string>();
+  auto all = std::make_shared<bool>(false);
   CLI::App* verb = rock.add_subcommand("check", "what a rock's data can and cannot determine");
   verb->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");
-  verb->callback([path, &session] { session.exit_code = rock_check(*path, session.terminal_width); });
+  verb->add_flag("--all", *all, "every detail: values, closed forms, parameters, limits, maps");
+  verb->callback([path, all, &session] { session.exit_code = rock_check(*path, *all, session); });
 }
 
 void add_twin(CLI::App& rock, Session& session) {

@@ -10,6 +10,7 @@
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "jobs/study_folder.hpp"
+#include "report/words.hpp"
 #include "study/expected.hpp"
 #include "study/study_in.hpp"
 
@@ -73,7 +74,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   if (left == 0) return;
   const std::size_t to_make = n_packings_to_make(plan);
   print_wrapped(width, 10, "expected  {} to run, about {} on {} thread(s){}\n", left,
-                jobs::duration(cost * seconds_per_cost(plan, rows) / threads), threads,
+                report::duration_text(cost * seconds_per_cost(plan, rows) / threads), threads,
                 to_make > 0 ? fmt::format(", and {} packing(s) to make", to_make) : "");
 }
 

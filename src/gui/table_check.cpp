@@ -9,7 +9,8 @@
 #include "base/check.hpp"
 #include "gui/project.hpp"
 #include "io/table.hpp"
-#include "jobs/rock_check.hpp"
+#include "jobs/check_summary.hpp"
+#include "jobs/machine.hpp"
 #include "report/angle_panels.hpp"
 #include "report/calibration_figures.hpp"
 #include "report/figure_json.hpp"
@@ -103,15 +104,16 @@ void add_check(const Rock& rock, Json& answer) {
   answer["models"] = found.models;
   answer["limits"] = report::findings_json(found.limits);
   answer["in_maps"] = found.in_maps;
-  if (found.forecast) answer["forecast"] = *found.forecast;
+  answer["summary"] = report::findings_json(jobs::summary_of(found, jobs::n_threads(0)));
+  answer["forecast"] = report::findings_json(found.forecast);
 }
 
 }  // namespace
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
-  Json answer = {{"bedded", nullptr}, {"figure", nullptr}, {"forecast", nullptr}};
-  for (const char* list :
-       {"problems", "doubts", "notes", "targets", "statements", "parameters", "models", "limits", "in_maps"})
+  Json answer = {{"bedded", nullptr}, {"figure", nullptr}};
+  for (const char* list : {"problems", "doubts", "notes", "targets", "statements", "parameters", "models",
+                           "limits", "in_maps", "summary", "forecast"})
     answer[list] = Json::array();
   const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
   try {

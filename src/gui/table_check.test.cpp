@@ -59,7 +59,9 @@ TEST(TableCheck, AGoodTableIsCheckedAsByRockCheck) {
   EXPECT_EQ(panels[0]["y"]["quantity"], "E");
   EXPECT_GT(panels[0]["series"][0]["x"].size(), 10U) << "theory";
   EXPECT_GT(answer["parameters"].size(), 4U);
-  EXPECT_FALSE(answer["forecast"].get<std::string>().empty());
+  EXPECT_FALSE(answer["forecast"].empty());
+  EXPECT_LE(answer["summary"].size(), 10U);
+  EXPECT_EQ(answer["summary"][0]["kind"], "table_angles");
 }
 
 TEST(TableCheck, DoubtsStandApartFromNotesTheAnglesFirst) {

@@ -240,7 +240,7 @@ void check_writable(const std::string& folder) {
   // Tried out, as permissions do not show quotas, full disks or read-only mounts.
   remove_leftovers(folder);
   const std::string probe = beside((fs::path(folder) / "").string(), "test");
-  write_synced(probe, folder, "phyllite\n");
+  write_synced(probe, "folder " + folder, "phyllite\n");
   ::unlink(probe.c_str());
 }
 

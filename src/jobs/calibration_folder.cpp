@@ -177,7 +177,7 @@ BegunCalibration begin_calibration(const Evidence& evidence, const CalibrationRe
     throw InputError(*std::move(p));
   FolderLock lock(request.out);
   io::write_output(path_of_request(request.out), kept_text(kept));
-  return {std::move(store), std::move(lock)};
+  return {std::move(store), begun, std::move(lock)};
 }
 
 std::string specimens_in(const std::string& folder) { return (fs::path(folder) / "specimens").string(); }
@@ -226,14 +226,8 @@ void write_calibration(const std::string& folder, const Calibration& c) {
   io::write_output((out / "tables.txt").string(), tables_of(c));
 }
 
-std::string time_left(const calibrate::TestProgress& p) {
-  if (p.seconds_left > 0.0) return duration(p.seconds_left);
-  return p.n_done > 0 ? "later than estimated" : "not yet known";
-}
-
-std::string progress_text(const calibrate::TestProgress& p) {
-  return fmt::format("{}/{} tests of this batch, time left for the calibration: {}", p.n_done, p.n_total,
-                     time_left(p));
+std::string progress_text(const calibrate::TestProgress& p, const TimeLeft& clock, double now) {
+  return fmt::format("{}/{} tests; {}; {}", p.n_done, p.n_total, clock.place_text(), clock.left_text(now));
 }
 
 }  // namespace phy::jobs

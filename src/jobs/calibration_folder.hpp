@@ -6,6 +6,7 @@
 
 #include "jobs/calibration_options.hpp"
 #include "jobs/folder_lock.hpp"
+#include "jobs/time_left.hpp"
 
 namespace phy::jobs {
 
@@ -22,6 +23,7 @@ calibrate::CalibrationOptions options_of(const CalibrationRequest& request);
 /// The folder of a calibration while it is worked in.
 struct BegunCalibration {
   std::string store;
+  bool had_tests;  ///< of an earlier run of the same calibration
   FolderLock lock;
 };
 
@@ -60,10 +62,8 @@ class SpecimenFolder : public calibrate::SpecimenSink {
 /// What a screen shows: the verdict first, parameters before comparisons.
 std::string screen_of(const Calibration& calibration, int width);
 
-/// "12 min", or why nobody can say.
-std::string time_left(const calibrate::TestProgress& progress);
-/// How far the tests have come.
-std::string progress_text(const calibrate::TestProgress& progress);
+/// How far the tests have come, and when the calibration will have ended.
+std::string progress_text(const calibrate::TestProgress& progress, const TimeLeft& clock, double now);
 
 /// File of draw k, from 0, in the folder of a calibration.
 std::string ensemble_file(const std::string& folder, std::size_t k);

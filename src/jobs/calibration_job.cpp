@@ -1,10 +1,22 @@
 #include "jobs/calibration_job.hpp"
 
+#include <fmt/format.h>
+
+#include <chrono>
 #include <utility>
 
 #include "calibrate/plan.hpp"
+#include "report/words.hpp"
 
 namespace phy::jobs {
+namespace {
+
+/// [s]
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
 
 CalibrationJob::CalibrationJob(const Rock& rock, CalibrationRequest request)
     : request_(std::move(request)),
@@ -14,6 +26,23 @@ CalibrationJob::CalibrationJob(const Rock& rock, CalibrationRequest request)
   calibrate::check_budget(evidence_, options_);
   // Last, as it writes: what is refused above leaves no folder behind.
   if (!request_.out.empty()) begun_.emplace(begin_calibration(evidence_, request_));
+}
+
+calibrate::Listener CalibrationJob::listener(const CalibrationHooks& hooks) {
+  calibrate::Listener l;
+  l.outlook = [&](const calibrate::Outlook& ahead) { clock_->outlook(ahead, now()); };
+  l.begins = [&](const Finding& stage) {
+    const std::string text = report::sentence(stage);
+    // between models there is no stage yet, and a stage within another says nothing new
+    if (!clock_->begins(stage.kind, now()))
+      return stage.kind == FindingKind::course_model ? hooks.say(text) : void();
+    hooks.say(fmt::format("{} ({}, {})", text, clock_->place_text(), clock_->left_text(now())));
+    if (watch_) watch_->begins(text, clock_->place(), clock_->at(now()));
+  };
+  l.estimates = [&](const auto& known) {
+    if (watch_) watch_->estimates(known);
+  };
+  return l;
 }
 
 Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
@@ -27,16 +56,16 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
     machine.on_reading = [&](const Recipe& r, double strain, double stress) {
       watch_->reading(r, strain, stress);
     };
-    options_.listener.estimates = [&](const auto& known) { watch_->estimates(known); };
   }
   machine.on_progress = [&](const calibrate::TestProgress& p) {
-    hooks.tests(p);
-    if (watch_) watch_->tests(p);
+    clock_->tests(p);
+    hooks.tests(p, progress_text(p, *clock_, now()));
+    if (watch_) watch_->tests(p, clock_->place(), clock_->at(now()));
   };
-  options_.listener.say = [&](const std::string& text) {
-    hooks.say(text);
-    if (watch_) watch_->say(text);
-  };
+  clock_.emplace(seconds_per_cost(hooks.threads));
+  options_.listener = listener(hooks);
+  hooks.say(
+      report::sentence(expected_course(calibrate::outlook_of(evidence_, options_).ahead(), hooks.threads)));
   Calibration result = calibrate::calibrate(evidence_, options_, *calibrate::make_simulator(machine));
   result.asked = asked(request_);
   if (!begun_) return result;

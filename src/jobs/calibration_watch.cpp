@@ -34,16 +34,18 @@ CalibrationWatch::~CalibrationWatch() {
   if (state_ == "running") end("failed");
 }
 
-void CalibrationWatch::say(const std::string& text) {
+void CalibrationWatch::begins(const std::string& stage, const TimeLeft::Place& place,
+                              const std::optional<SecondsRange>& left) {
   const std::lock_guard lock(mutex_);
-  said_.push_back(text);
+  said_.push_back(stage), place_ = place, left_ = left;
   end_stage();
   write_now();
 }
 
-void CalibrationWatch::tests(const calibrate::TestProgress& progress) {
+void CalibrationWatch::tests(const calibrate::TestProgress& progress, const TimeLeft::Place& place,
+                             const std::optional<SecondsRange>& left) {
   const std::lock_guard lock(mutex_);
-  tests_ = progress;
+  tests_ = progress, place_ = place, left_ = left;
   write_soon();
 }
 
@@ -88,9 +90,11 @@ std::string CalibrationWatch::text() const {
   Json j = {{"state", state_},
             {"stage", said_.empty() ? "" : said_.back()},
             {"seconds", seconds_since(start_)},
+            {"model", {place_.model, place_.models}},
+            {"stages", {place_.stage, place_.least, place_.most}},
             {"n_done", tests_.n_done},
             {"n_total", tests_.n_total},
-            {"seconds_left", tests_.seconds_left > 0.0 ? Json(tests_.seconds_left) : Json(nullptr)},
+            {"seconds_left", left_ ? Json{left_->low, left_->high} : Json(nullptr)},
             {"said", said_},
             {"parameters", Json::array()},
             {"pressed", nullptr}};

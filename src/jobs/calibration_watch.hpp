@@ -5,10 +5,12 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calibrate/calibration.hpp"
+#include "jobs/time_left.hpp"
 
 namespace phy::jobs {
 
@@ -25,8 +27,11 @@ class CalibrationWatch {
   ~CalibrationWatch();
   CalibrationWatch(const CalibrationWatch&) = delete;
   CalibrationWatch& operator=(const CalibrationWatch&) = delete;
-  void say(const std::string& text);
-  void tests(const calibrate::TestProgress& progress);
+  /// A stage: its words, where it is among the others, how long the calibration goes on.
+  void begins(const std::string& stage, const TimeLeft::Place& place,
+              const std::optional<SecondsRange>& left);
+  void tests(const calibrate::TestProgress& progress, const TimeLeft::Place& place,
+             const std::optional<SecondsRange>& left);
   /// None: those of before are another model's.
   void estimates(const std::vector<ParameterEstimate>& parameters);
   /// Of all tests that run one is shown, until it ends or falls silent, then the one that is heard next: the
@@ -56,6 +61,8 @@ class CalibrationWatch {
   std::vector<std::string> said_;
   std::vector<Known> known_;  // in the order of their first estimate
   calibrate::TestProgress tests_;
+  TimeLeft::Place place_;
+  std::optional<SecondsRange> left_;
   std::map<const Recipe*, Pressed> pressed_;  // the addresses are names: never followed
   const Recipe* shown_ = nullptr;             // of these
   std::chrono::seconds patience_;

@@ -29,9 +29,9 @@ TEST_F(CalibrationWatchTest, SaysWhatIsKnownAfterEveryBatch) {
   CalibrationWatch watch(folder.string());
   EXPECT_EQ(now()["state"], "running");
   EXPECT_TRUE(now()["pressed"].is_null());
-  watch.say("strength, batch 1 of 2");
+  watch.begins("strength, batch 1 of 2", {}, {});
   watch.estimates({estimate("sigma_c", 10.0), estimate("mu", 0.5)});
-  watch.say("strength, batch 2 of 2");
+  watch.begins("strength, batch 2 of 2", {}, {});
   watch.estimates({estimate("sigma_c", 12.0)});
   const Json reported = now();
   EXPECT_EQ(reported["stage"], "strength, batch 2 of 2");
@@ -85,7 +85,7 @@ TEST_F(CalibrationWatchTest, ATestThatRunsThroughAMessageKeepsItsBeginning) {
   CalibrationWatch watch(folder.string());
   const Recipe test;
   watch.reading(test, 1e-3, 1e6);
-  watch.say("the next batch");
+  watch.begins("the next batch", {}, {});
   EXPECT_TRUE(now()["pressed"].is_null());
   watch.reading(test, 2e-3, 2e6);
   watch.estimates({});
@@ -109,7 +109,7 @@ TEST_F(CalibrationWatchTest, BetweenBatchesNothingIsPressed) {
   CalibrationWatch watch(folder.string());
   const Recipe test;
   watch.reading(test, 1e-3, 1e6);
-  watch.say("elastic search");
+  watch.begins("elastic search", {}, {});
   EXPECT_TRUE(now()["pressed"].is_null());
 }
 
@@ -117,7 +117,7 @@ TEST_F(CalibrationWatchTest, AFolderThatIsGoneStopsNothing) {
   CalibrationWatch watch(at("sub"));
   std::filesystem::remove_all(at("sub"));
   write("sub", "a file in its place");
-  EXPECT_NO_THROW(watch.say("goes on"));
+  EXPECT_NO_THROW(watch.begins("goes on", {}, {}));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "jobs/another_recipe.hpp"
 #include "jobs/run_folder.hpp"
 #include "records/specimen_record.hpp"
+#include "report/words.hpp"
 #include "study/experiment.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
@@ -166,19 +167,14 @@ void write_tables(const study::Plan& plan, const study::StudyRows& rows, const s
   write_effects(plan, rows, folder);
 }
 
-std::string duration(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
 std::string progress_text(const study::Progress& p, double seconds) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
   if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);
   text += fmt::format(", {:.0f} s", seconds);
   if (p.work <= 0.0) return text + ", starting";
   return text + fmt::format(", {:.0f} per minute, about {} left",
-                            60.0 * static_cast<double>(p.n_new) / seconds, duration(p.seconds_left(seconds)));
+                            60.0 * static_cast<double>(p.n_new) / seconds,
+                            report::duration_text(p.seconds_left(seconds)));
 }
 
 }  // namespace phy::jobs

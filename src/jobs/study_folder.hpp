@@ -42,8 +42,6 @@ void write_effects(const study::Plan& plan, const study::StudyRows& rows, const 
 /// These and results.csv.
 void write_tables(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder);
 
-/// "41 s", "12 min", "3.0 h"
-std::string duration(double seconds);
 /// One line on how far a study has come.
 std::string progress_text(const study::Progress& p, double seconds);
 

@@ -20,17 +20,30 @@
 
 namespace phy::maps {
 
+/// Root mean square over the values of a property, relative or absolute as it counts.
+struct ErrorRange {
+  double low, high;
+};
+
 struct Forecast {
   const MappedModel* model = nullptr;  ///< of several that may stand for the rock the one that comes nearest
   VerdictStatus status = VerdictStatus::calibrated;
-  std::vector<Comparison> rows;  ///< `mean` as forecast; those that the map has
-  std::vector<Target> unmapped;  ///< of the table, but not of the map
-  double distance = 0.0;         ///< sum of squares of what is minimised
+  std::vector<Comparison> rows;     ///< `mean` as forecast; those that the map has
+  std::vector<Target> unmapped;     ///< of the table, but not of the map
+  double distance = 0.0;            ///< sum of squares of what is minimised
+  double n_grains = 0.0;            ///< of the rock's specimen
+  double grains_across = 0.0;       ///< its disc; 0: there is none
+  double nu_of_nearest_body = 0.0;  ///< what the nearest layered elastic body misses of nu
   bool beyond_map = false;  ///< E lies where nothing was mapped, though planes in an isotropic rock have it
   /// Is every property met within its tolerance, root mean square?
   bool meets() const;
   /// Root mean square miss of a property, relative or absolute as it counts; NaN: no row of it.
   double rms(Property property) const;
+  /// What a calibration is expected to miss on unseen packings. Low: what the quadratics miss of the table,
+  /// but no less than what packings of this size differ by, nor, of nu, than the nearest layered body. High:
+  /// with what the quadratics themselves miss of single specimens, and of discs with what coarse grains add.
+  /// Nothing without a row of it.
+  std::optional<ErrorRange> expected_error(Property property) const;
 };
 
 /// By the models that `layers` of the rock admits; nothing: none of them was mapped, or the table has neither

@@ -131,10 +131,39 @@ TEST(Forecast, WhatIsMetIsSaidToBeMetWithItsGrounds) {
   EXPECT_EQ(f->status, VerdictStatus::calibrated);
   EXPECT_TRUE(has(*f, FindingKind::forecast_calibrated) && has(*f, FindingKind::forecast_record));
   EXPECT_FALSE(has(*f, FindingKind::forecast_unmapped) || has(*f, FindingKind::forecast_beyond_map));
-  EXPECT_EQ(properties_of(*f, FindingKind::forecast_error), (std::set<std::string>{"E", "UCS"}));
+  EXPECT_TRUE(f->expected_error(Property::E) && f->expected_error(Property::ucs));
+  EXPECT_FALSE(f->expected_error(Property::nu));
   rock.readings.push_back(reading(Property::nu, 0.0, 0.2));
-  EXPECT_EQ(properties_of(forecast_for(rock).value(), FindingKind::forecast_error),
-            (std::set<std::string>{"E", "nu", "UCS"}));
+  EXPECT_TRUE(forecast_for(rock)->expected_error(Property::nu));
+}
+
+// One value is met exactly by some quadratic; the packings still differ.
+TEST(Forecast, NoErrorIsExpectedBelowItsOwn) {
+  Rock rock = rock_of(usual(), 7);
+  rock.readings = {reading(Property::E, 0.0, 20e9), reading(Property::ucs, 0.0, 100e6)};
+  const Forecast f = forecast_for(rock).value();
+  EXPECT_LT(f.rms(Property::ucs), 0.01);
+  const ErrorRange ucs = f.expected_error(Property::ucs).value();
+  EXPECT_GT(ucs.low, 0.01);
+  EXPECT_GT(ucs.high, 0.1);
+  rock.model.packing.n_grains = 300;
+  EXPECT_GT(forecast_for(rock)->expected_error(Property::ucs)->low, 3.0 * ucs.low) << "coarse grains";
+}
+
+TEST(Forecast, CoarseDiscsAreExpectedToBeTooStrong) {
+  Rock rock = rock_of(usual(), 7);
+  const double fine = forecast_for(rock)->expected_error(Property::brazilian)->high;
+  rock.model.packing.radius_min *= 4.0, rock.model.packing.radius_max *= 4.0;
+  EXPECT_GT(forecast_for(rock)->expected_error(Property::brazilian)->high, fine + 0.05);
+}
+
+// nu(0)/E(0) = nu(90)/E(90) of any layered body: with E(90) = 2 E(0) no nu that falls is met.
+TEST(Forecast, NuIsExpectedNoBetterThanTheNearestLayeredBody) {
+  CleanTable table = usual();
+  table.nu = {0.40, 0.36, 0.32, 0.28, 0.22, 0.16, 0.10};
+  const Forecast f = forecast_for(rock_of(table, 7)).value();
+  EXPECT_GT(f.nu_of_nearest_body, 0.03);
+  EXPECT_GE(f.expected_error(Property::nu)->low, f.nu_of_nearest_body);
 }
 
 TEST(Forecast, WhatWasNotMappedHasNone) {

@@ -48,8 +48,8 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
     jobs::CalibrationJob job(rock.rock, request);
     jobs::CalibrationHooks hooks;
     hooks.threads = jobs::n_threads(threads), hooks.stop = &watch.stop;
-    hooks.tests = [&](const calibrate::TestProgress& p) {
-      watch.show({jobs::progress_text(p), p.n_done, p.n_total});
+    hooks.tests = [&](const calibrate::TestProgress& p, const std::string& text) {
+      watch.show({text, p.n_done, p.n_total});
     };
     hooks.say = [&](const std::string& text) { watch.say(text); };
     result = job.run(hooks);

@@ -9,7 +9,8 @@
 #include "base/quote.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
-#include "jobs/rock_check.hpp"
+#include "jobs/check_summary.hpp"
+#include "jobs/machine.hpp"
 #include "python/module.hpp"
 #include "records/calibration.hpp"
 #include "records/recipe_schema.hpp"
@@ -255,7 +256,9 @@ void add_recipes(py::module_& m) {
       .def_property_readonly("notes", [](const NamedRock& r) { return r.rock.notes; })
       .def_property_readonly("targets", &rows_of_targets)
       .def_property_readonly("findings", &findings_of)
-      .def("check", [](const NamedRock& r) { return jobs::rock_check(r.rock, r.source, 0); });
+      .def("check", [](const NamedRock& r, bool all) {
+        return jobs::rock_check(r.rock, r.source, 0, jobs::n_threads(0), all);
+      });
 
   m.def("explain", [](const std::string& key) {
     return jobs::explain({&io::recipe_schema(), &rock::rock_schema(), &study::study_schema()}, key);

@@ -11,6 +11,7 @@ namespace {
 constexpr std::string_view kinds[] = {
 #define PHY_WORD(word) #word,
 #include "records/finding_of_calibration.def"
+#include "records/finding_of_course.def"
 #include "records/finding_of_maps.def"
 #include "records/finding_of_table.def"
 };

@@ -37,6 +37,7 @@ struct NamedNumber {
 enum class FindingKind : std::uint8_t {
 #define PHY_WORD(word) word,
 #include "records/finding_of_calibration.def"
+#include "records/finding_of_course.def"
 #include "records/finding_of_maps.def"
 #include "records/finding_of_table.def"
 #undef PHY_WORD

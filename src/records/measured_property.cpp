@@ -150,7 +150,7 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .meaning = "point load strength index I_s(50), load as in a Brazilian test; taken as 0.8 of BTS, an "
                  "empirical relation (ISRM 1985)",
       .headers = {"Is50", "I_s(50)", "point load strength", "point load strength index", "point load index",
-                  "PLI", "PLSI"},
+                  "PLI", "PLSI", "point load", "point load test", "PLT", "I_s", "Is"},
       .axis = "point load strength I_s(50)",
       .part = Part::tension,
       .tolerance = 0.20,

@@ -98,11 +98,11 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
     if (measured(p).of_discs && sizes) groups.back().push_back(disc);
   }
   return text_table(theta, groups, terminal_width) +
-         wrapped(fmt::format(
-                     "SD: of single specimens as it counts, that of the cell drawn towards all cells' and "
-                     "the usual one{}\n",
-                     assumed ? "; *: most of it is the usual one" : ""),
-                 terminal_width, 2);
+         wrapped(
+             fmt::format("SD: scatter of single specimens. With few specimens a value is averaged with the "
+                         "other cells and with usual scatter.{}\n",
+                         assumed ? " *: mostly usual scatter." : ""),
+             terminal_width, 2);
 }
 
 std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {

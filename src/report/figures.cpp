@@ -103,7 +103,7 @@ std::string figure_text(const FigureKind& kind, const FigureData& data, int colu
   std::string text;
   for (const Panel& panel : kind.make(data).panels) {
     for (const std::string& line : terminal_plot(panel, columns, rows, false)) text += line + "\n";
-    text += panel.caption.empty() ? "\n" : wrapped(panel.caption, columns) + "\n\n";
+    text += panel.caption.empty() ? "\n" : wrapped(panel.caption + "\n", columns) + "\n";
   }
   return text;
 }

@@ -15,7 +15,7 @@ namespace {
 
 std::map<FindingKind, Wording> all_words() {
   std::map<FindingKind, Wording> all;
-  for (const auto* list : {&words_of_table(), &words_of_maps(), &words_of_calibration()})
+  for (const auto* list : {&words_of_table(), &words_of_maps(), &words_of_calibration(), &words_of_course()})
     for (const Wording& w : *list) all[w.kind] = w;
   return all;
 }
@@ -96,6 +96,19 @@ std::string parameter_text(double value, const std::string& unit) {
   if (!unit.starts_with("Pa")) return fmt::format("{:.3g}", value);
   const bool giga = value >= 1e9;
   return fmt::format("{:.3g} {}{}", value * (giga ? 1e-9 : 1e-6), giga ? 'G' : 'M', unit);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string duration_text(double low, double high) {
+  const std::string from = duration_text(low), to = duration_text(high);
+  if (from == to) return to;
+  const std::string unit = to.substr(to.rfind(' '));
+  return (from.ends_with(unit) ? from.substr(0, from.rfind(' ')) : from) + " to " + to;
 }
 
 std::string counted_text(double n, const std::string& noun) {

@@ -44,6 +44,9 @@ std::string percent_text(double share);
 std::string parameter_text(double value, const std::string& unit);
 /// "14.3 to 15.0", or one number where both look alike.
 std::string range_text(double low, double high, const char* format);
+/// "40 s", "12 min", "1.5 h"; "2 to 9 min", "40 s to 3 min".
+std::string duration_text(double seconds);
+std::string duration_text(double low, double high);
 /// "3 tests", "1 test".
 std::string counted_text(double n, const std::string& noun);
 /// " at 0 and 30 degrees"; a rock without bedding has no angles (NaN).
@@ -67,5 +70,6 @@ const std::vector<Wording>& words_of_table();
 const std::vector<Wording>& words_of_maps();
 std::string advice_of_table(Advice advice, const Finding& of);
 const std::vector<Wording>& words_of_calibration();
+const std::vector<Wording>& words_of_course();
 
 }  // namespace phy::report

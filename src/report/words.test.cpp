@@ -30,6 +30,12 @@ TEST(Words, NumbersHaveThreeDigitsAndTheirUnit) {
   EXPECT_EQ(parameter_text(1.5e6, "Pa/m"), "1.5 MPa/m");
 }
 
+TEST(Words, ATimeIsARangeWithItsUnits) {
+  EXPECT_EQ(duration_text(120.0, 540.0), "2 to 9 min");
+  EXPECT_EQ(duration_text(40.0, 180.0), "40 s to 3 min");
+  EXPECT_EQ(duration_text(5.0, 5.2), "5 s");
+}
+
 TEST(Words, CellsOfOneTestAreNamedTogether) {
   EXPECT_EQ(cells_text({{Property::ucs, 0.0}, {Property::brazilian, 0.0, 0.0, 0.054}, {Property::ucs, 30.0}}),
             "UCS at 0 and 30 degrees, BTS (54 mm) at 0 degrees");

@@ -160,6 +160,49 @@ std::string columns_exchanged(F f) {
       misses(f, false, "as_read", "complement"));
 }
 
+// ---- in short
+
+std::string table_angles(F f) {
+  if (!f.has("angles")) return "Read: rock without layers.";
+  const char* from =
+      f.number("from_load") > 0.0 ? "beta, counted from the load" : "theta, counted from the horizontal";
+  if (f.number("angles") == 1.0)
+    return fmt::format("Read: one angle, {:g} degrees ({}).", f.number("from"), from);
+  return fmt::format("Read: {:.0f} angles from {:g} to {:g} degrees ({}).", f.number("angles"),
+                     f.number("from"), f.number("to"), from);
+}
+
+/// "E 20.0 to 40.0 GPa, UCS 50 to 110 MPa".
+std::string least_and_most(F f) {
+  const std::vector<double> low = each(f, "low"), high = each(f, "high");
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < f.cells.size(); ++i) {
+    const Property p = f.cells[i].property;
+    const ShownUnit unit = shown_unit(p);
+    const std::string a = number_text(low[i] * unit.factor), b = number_text(high[i] * unit.factor),
+                      number = a == b ? a : a + " to " + b;
+    items.push_back(fmt::format("{} {}{}{}", to_string(p), number, *unit.name == '\0' ? "" : " ", unit.name));
+  }
+  return list_text(items);
+}
+
+std::string table_moduli(F f) {
+  const std::string reading = f.names.empty() ? "" : fmt::format(" E is read as \"{}\".", f.names.front());
+  return fmt::format("Moduli: {}.{}", least_and_most(f), reading);
+}
+
+std::string table_strengths(F f) {
+  return fmt::format("Strengths: {}. Specimens per value: {}.", least_and_most(f),
+                     range_text(f.number("least_n"), f.number("most_n"), "{:.0f}"));
+}
+
+std::string parameters_open(F f) {
+  const std::string list = list_text({f.names.begin() + 1, f.names.end()});
+  return fmt::format(
+      "Not determined: {}.{}", list,
+      f.names.front().empty() ? "" : fmt::format(" The test that helps most: {}.", f.names.front()));
+}
+
 // ---- closed forms
 
 /// "50.0 +- 1.2 GPa"
@@ -207,9 +250,7 @@ std::string anisotropy(F f) {
 std::string scatter_assumed(F f) {
   const Property p = f.cells.front().property;
   const std::string least = miss_text(p, f.number("least")), most = miss_text(p, f.number("most"));
-  return say(f,
-             "{}: the table says little of the scatter of {} of {}. Single specimens are taken to "
-             "scatter by {}.",
+  return say(f, "{}: {} of {} have too few specimens to show their scatter. Usual scatter is taken: {}.",
              to_string(p), f.cells.size(), counted_text(f.number("of"), "cell"),
              least == most ? least : least + " to " + most);
 }
@@ -352,10 +393,42 @@ std::string advice_of_table(Advice advice, F of) {
   }
 }
 
+namespace {
+
+const std::vector<Wording>& words_in_short() {
+  static const std::vector<Wording> list = {
+      {Kind::table_angles, table_angles},
+      {Kind::table_moduli, table_moduli},
+      {Kind::table_strengths, table_strengths},
+      {Kind::no_doubts, [](F) -> std::string { return "Doubts: none."; }},
+      {Kind::more_doubts,
+       [](F f) { return fmt::format("{} more.", counted_text(f.number("doubts"), "doubt")); }},
+      {Kind::parameters_open, parameters_open},
+      {Kind::parameters_known,
+       [](F) -> std::string { return "The table determines every parameter that is sought."; }},
+      {Kind::no_body_in_short,
+       [](F f) {
+         return fmt::format("No layered elastic body has this E{}; farthest off is {}.",
+                            f.number("with_nu") > 0.0 ? " and nu" : "", cells_text(f.cells));
+       }},
+      {Kind::models_ahead,
+       [](F f) {
+         return fmt::format("{}: {}.", f.names.size() > 1 ? "Models that may be tried" : "Model",
+                            fmt::join(f.names, "; "));
+       }},
+      {Kind::nothing_to_fit,
+       [](F) -> std::string { return "Nothing to fit: it takes E, or a strength in compression."; }},
+  };
+  return list;
+}
+
+}  // namespace
+
 const std::vector<Wording>& words_of_table() {
   static const std::vector<Wording> all = [] {
     std::vector<Wording> list = doubts;
-    for (const auto* more : {&closed_forms, &limits}) list.insert(list.end(), more->begin(), more->end());
+    for (const auto* more : {&words_in_short(), &closed_forms, &limits})
+      list.insert(list.end(), more->begin(), more->end());
     return list;
   }();
   return all;

@@ -19,12 +19,15 @@ using Kind = FindingKind;
 Finding with_everything(Kind kind) {
   Finding f{kind, {{Property::E, 0.0, 0.0}, {Property::E, 90.0, 5e6}}, {}, {"E", "UCS"}};
   for (const char* name :
-       {"value",     "least",      "most",      "from",         "to",           "laboratory", "envelope",
-        "factor",    "line",       "share",     "mean",         "others",       "t",          "chance",
-        "off",       "errors",     "from_load", "exchanged",    "as_read",      "complement", "E",
-        "K_n_delta", "K_s_delta",  "se_E",      "se_K_n_delta", "se_K_s_delta", "R2",         "spacing",
-        "least_E",   "theta",      "c_w",       "phi_w",        "shoulders",    "rms",        "of",
-        "wanted",    "chi_square", "limit",     "change",       "grains",       "radius",     "fewest"})
+       {"value",     "least",       "most",       "from",          "to",           "laboratory", "envelope",
+        "factor",    "line",        "share",      "mean",          "others",       "t",          "chance",
+        "off",       "errors",      "from_load",  "exchanged",     "as_read",      "complement", "E",
+        "K_n_delta", "K_s_delta",   "se_E",       "se_K_n_delta",  "se_K_s_delta", "R2",         "spacing",
+        "least_E",   "theta",       "c_w",        "phi_w",         "shoulders",    "rms",        "of",
+        "wanted",    "chi_square",  "limit",      "change",        "grains",       "radius",     "fewest",
+        "with_nu",   "low",         "high",       "least_n",       "most_n",       "angles",     "doubts",
+        "batch",     "points",      "tests",      "at_estimate",   "coarse",       "round",      "packings",
+        "solutions", "least_tests", "most_tests", "least_seconds", "most_seconds", "threads"})
     f.numbers.insert(f.numbers.end(), {{name, 1.0}, {name, 1.0}});
   f.numbers.push_back({"ratio", 1.0});  // of a pair of cells
   return f;
@@ -53,6 +56,14 @@ TEST(WordsOfTable, EveryKindHasItsSentencesOf25WordsAtMost) {
       EXPECT_FALSE(sentence(f).empty());
       EXPECT_LE(longest_sentence(sentence(f)), 25) << sentence(f);
     }
+}
+
+TEST(WordsOfTable, EveryStageOfACalibrationHasItsWords) {
+  for (const Wording& w : words_of_course()) {
+    const std::string text = sentence(with_everything(w.kind));
+    EXPECT_FALSE(text.empty());
+    EXPECT_LE(longest_sentence(text), 25) << text;
+  }
 }
 
 TEST(WordsOfTable, AUnitIsDoubtedWithTheValuesAndWhatIsUsual) {

@@ -47,7 +47,9 @@ double expected_memory(const Recipe& r, std::size_t n_specimens) {
   return expected_grains(r) * (packing + static_cast<double>(n_specimens) * each);
 }
 
-double expected_cost(const Recipe& r) {
+double expected_cost(const Recipe& r) { return expected_cost(r, expected_peak_strain(r)); }
+
+double expected_cost(const Recipe& r, double peak_strain) {
   const MatrixRecipe& m = r.matrix;
   // The smallest grain decides the step; mass is per metre of thickness, so sqrt(mass/E) is a time.
   const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
@@ -56,8 +58,7 @@ double expected_cost(const Recipe& r) {
       equal * step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / m.modulus());
   // At least a tenth of the way to the peak, for tests whose pre-strain leaves almost nothing.
   const double strain =
-      std::max(0.1 * expected_peak_strain(r),
-               std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.pre_strain);
+      std::max(0.1 * peak_strain, std::min(beyond_peak * peak_strain, r.test.max_strain) - r.test.pre_strain);
   const double fast = std::min(strain, std::max(0.0, r.test.approach_strain - r.test.pre_strain));
   const double way =
       (strain - fast) / r.test.platen_speed + (fast > 0.0 ? fast / r.test.approach_speed : 0.0);

@@ -13,6 +13,8 @@ double expected_memory(const Recipe& r, std::size_t n_specimens);
 
 /// Expected cost of a test [cycles times grains], a guess.
 double expected_cost(const Recipe& r);
+/// The same of a test whose peak is expected at a strain, in the measure of the test.
+double expected_cost(const Recipe& r, double peak_strain);
 
 /// The same of a direct elastic solution, as if it took cycles.
 double expected_direct_cost(const Recipe& r);

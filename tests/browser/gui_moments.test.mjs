@@ -78,7 +78,7 @@ async function paste(page, line, column, text) {
 
 // --- what runs ------------------------------------------------------------------------------------------------
 
-const progress = (more) => ({ state: "running", stage: "which model predicts what it has not seen", seconds: 0, n_done: 0, n_total: 0, seconds_left: null, said: [], parameters: [], pressed: null, ...more });
+const progress = (more) => ({ state: "running", stage: "which model predicts what it has not seen", seconds: 0, n_done: 0, n_total: 0, model: [0, 1], stages: [0, 0, 0], seconds_left: null, said: [], parameters: [], pressed: null, ...more });
 const seconds = async (page) => Number((await page.locator("#calibration .clock").textContent()).match(/\d+/)[0]);
 
 test("a stage without a count has a moving bar, and the time goes on though the program writes nothing", async () => {

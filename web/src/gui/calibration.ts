@@ -2,7 +2,7 @@
 import { Child, fold, h } from "../dom";
 import { draw } from "../figure";
 import { Reach, growing, narrowing, reached } from "./charts";
-import { bar, clock, duration } from "./clock";
+import { bar, between, clock, duration } from "./clock";
 import { argument, attempt, button, command, counted, fileFold, fileLink, keyed, objections, stopper, worded } from "./controls";
 import { Figures } from "./figures";
 import { optionForm } from "./options";
@@ -14,7 +14,7 @@ export interface CalibrationView {
 }
 
 /** Has left no word on how it goes yet. */
-const justBegun: Progress = { state: "running", stage: "", seconds: 0, n_done: 0, n_total: 0, seconds_left: null, said: [], parameters: [], pressed: null };
+const justBegun: Progress = { state: "running", stage: "", seconds: 0, n_done: 0, n_total: 0, model: [0, 1], stages: [0, 0, 0], seconds_left: null, said: [], parameters: [], pressed: null };
 
 function state(c: Calibrating): string {
   switch (c.state) {
@@ -49,7 +49,9 @@ function watch() {
       done.show(p.n_done, p.n_total);
       time.show(seconds);
       tests.textContent = running && p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage. ` : "";
-      const known = p.seconds_left === null ? "time left not known yet" : `about ${duration(p.seconds_left)} left for the calibration, by what has run so far`;
+      const [model, models] = p.model, [kth, least, most] = p.stages;
+      const place = kth > 0 ? `${model > 0 && models > 1 ? `model ${model} of at most ${models}, ` : ""}stage ${kth} of ${least === most ? most : `${least} to ${most}`}, ` : "";
+      const known = place + (p.seconds_left === null ? "time left not known yet" : `${between(...p.seconds_left)} left`);
       left.textContent = running ? `, ${known}.` : `It took ${duration(p.seconds)}.`;
       const now = running ? p.pressed : null;
       const axes = now && reached(now, reach);

@@ -8,6 +8,14 @@ export function duration(seconds: number): string {
   return `${(seconds / 3600).toFixed(1)} h`;
 }
 
+/** "2 to 9 min", "40 s to 3 min". */
+export function between(low: number, high: number): string {
+  const [from, to] = [duration(low), duration(high)];
+  if (from === to) return to;
+  const unit = to.slice(to.lastIndexOf(" "));
+  return `${from.endsWith(unit) ? from.slice(0, -unit.length) : from} to ${to}`;
+}
+
 export interface Clock {
   node: HTMLElement;
   /** `seconds` of what runs; null: it does not run. */

@@ -53,13 +53,13 @@ export function findingsView(rock: string): FindingsView {
       busy.textContent = "";
       state.textContent = says;
       const targets = checked.targets ?? [];
-      const remarks = [...checked.models, ...texts(checked.limits), ...checked.in_maps];
+      const remarks = [...checked.models, ...texts(checked.limits), ...checked.in_maps, ...texts(checked.forecast.slice(1))];
       const bedded = !isUnbedded(checked);
       const panels = bedded ? (checked.figure?.panels ?? []) : [];
       charts.show(panels.map((p) => ({ name: [axisLabel(p.y), p.title].filter(Boolean).join(", "), shown: p, caption: p.caption, draw: (width) => draw(p, width, { bare: true }).node })));
       keyed(signs, panels.map((p) => p.series.map((s) => s.name)), () => [panels.length > 0 && legend(panels)]);
       keyed(doubts, checked.doubts, () => checked.doubts.map((d) => h("p", { class: "notice" }, d.text)));
-      keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, plainly(checked.forecast))]);
+      keyed(forecast, checked.summary, () => [list(texts(checked.summary.filter((f) => !checked.doubts.some((d) => d.text === f.text))))]);
       keyed(words, checked, () => [
         !bedded && targets.length > 0 && numbers(targets, false),
         list(texts(checked.statements)),

@@ -68,7 +68,9 @@ export interface Progress {
   seconds: number;
   n_done: number;
   n_total: number;
-  seconds_left: number | null;
+  model: [number, number]; // which of at most how many; 0: they are compared
+  stages: [number, number, number]; // which, of how many at least and at most
+  seconds_left: [number, number] | null; // a range
   said: string[];
   parameters: Narrowing[];
   pressed: Pressed | null;
@@ -162,7 +164,8 @@ export interface Checked {
   models: string[];
   limits: Finding[];
   in_maps: string[];
-  forecast: string | null;
+  summary: Finding[]; // ten lines of all
+  forecast: Finding[];
 }
 
 /** A rock without layers: nothing of it is said over an angle. */

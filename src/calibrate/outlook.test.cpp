@@ -1,0 +1,60 @@
+// What lies ahead of a calibration, against what it then does.
+#include "calibrate/outlook.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibrate/calibration.hpp"
+#include "calibrate/strength_rocks_fixture.hpp"
+#include "records/reading_fixture.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+/// Planes, whose model nobody has to choose.
+Evidence evidence_of(std::int64_t n_grains) {
+  Rock rock;
+  rock.layers = LayerModel::planes, rock.model.bedding.resize(1), rock.model.packing.n_grains = n_grains;
+  return {rock, laboratory(truth(1), 1)};
+}
+
+TEST(Outlook, ACalibrationTakesTestsWithinWhatWasAhead) {
+  for (const std::int64_t n_grains : {1197, 7481})
+    for (const double scatter : {0.002, 0.2}) {
+      const Evidence evidence = evidence_of(n_grains);
+      const CalibrationOptions options;
+      const Ahead ahead = outlook_of(evidence, options).ahead();
+      PaperPress press;
+      press.packing_scatter = scatter;
+      const Calibration c = calibrate(evidence, options, press);
+      EXPECT_LE(ahead.least_tests, c.counts.tests) << n_grains << " " << scatter;
+      EXPECT_GE(ahead.most_tests, c.counts.tests) << n_grains << " " << scatter;
+    }
+}
+
+TEST(Outlook, NoMoreTestsLieAheadThanAreAllowed) {
+  CalibrationOptions options;
+  options.max_tests = 200;
+  EXPECT_LE(outlook_of(evidence_of(1197), options).ahead().most_tests, 200);
+  EXPECT_GT(outlook_of(evidence_of(1197), {}).ahead().most_tests, 200);
+}
+
+TEST(Outlook, ModelsThatMayFollowCountInTheUpperEndAlone) {
+  const Evidence evidence = evidence_of(1197);
+  const Ahead one = outlook_of(evidence, 1, {}, {}).ahead(),
+              three = outlook_of(evidence, 1, {evidence, evidence}, {}).ahead();
+  EXPECT_EQ(one.least_tests, three.least_tests);
+  EXPECT_GT(three.most_cost, 2.0 * one.most_cost);
+}
+
+TEST(Outlook, ModuliAloneTakeNoTest) {
+  CalibrationOptions options;
+  options.elastic_only = true;
+  Evidence evidence = evidence_of(1197);
+  evidence.rock.readings = {reading(Property::E, 0.0, 20e9), reading(Property::E, 90.0, 40e9)};
+  const Ahead ahead = outlook_of(Evidence(evidence.rock), options).ahead();
+  EXPECT_EQ(ahead.most_tests, 0);
+  EXPECT_GT(ahead.least_cost, 0.0);
+}
+
+}  // namespace
+}  // namespace phy::calibrate

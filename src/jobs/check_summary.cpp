@@ -1,0 +1,155 @@
+#include "jobs/check_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/check.hpp"
+#include "base/quote.hpp"
+#include "base/text_table.hpp"
+#include "calibrate/outlook.hpp"
+#include "jobs/time_left.hpp"
+#include "maps/candidates.hpp"
+#include "report/calibration_tables.hpp"
+#include "report/words.hpp"
+
+namespace phy::jobs {
+namespace {
+
+using Kind = FindingKind;
+constexpr std::ptrdiff_t most_notes = 2;  // how the files were understood
+
+Finding angles_of(const Evidence& evidence) {
+  Finding f{Kind::table_angles};
+  if (!evidence.rock.bedded) return f;
+  std::set<double> angles;
+  const bool beta = evidence.rock.counts_from_load;
+  for (const Target& t : evidence.targets) angles.insert(beta ? 90.0 - t.theta : t.theta);
+  if (!angles.empty())
+    f.numbers = {{"angles", static_cast<double>(angles.size())},
+                 {"from", *angles.begin()},
+                 {"to", *angles.rbegin()},
+                 {"from_load", beta ? 1.0 : 0.0}};
+  return f;
+}
+
+/// Least and largest value of each property.
+Finding values_of(const Evidence& evidence, bool strengths) {
+  Finding f{strengths ? Kind::table_strengths : Kind::table_moduli};
+  double least_n = HUGE_VAL, most_n = 0.0;
+  for (const MeasuredProperty& p : measured_properties()) {
+    const std::vector<Target> targets = of_property(evidence.targets, p.property);
+    for (const Target& t : targets) least_n = std::fmin(least_n, t.n), most_n = std::fmax(most_n, t.n);
+    if (targets.empty() || is_strength(p.property) != strengths) continue;
+    const auto [low, high] = std::ranges::minmax(targets, {}, &Target::mean);
+    f.cells.push_back({p.property, std::nan("")});
+    f.numbers.push_back({"low", low.mean}), f.numbers.push_back({"high", high.mean});
+  }
+  if (strengths) f.numbers.insert(f.numbers.end(), {{"least_n", least_n}, {"most_n", most_n}});
+  if (!strengths && evidence.has(Property::E)) f.names.emplace_back(to_string(evidence.rock.E_is));
+  return f;
+}
+
+/// The test that settles most of what is open: all that are asked for of one property.
+std::string best_test(const std::vector<ParameterEstimate>& open) {
+  std::map<Property, std::vector<LabTests>> by_property;
+  for (const ParameterEstimate& e : open)
+    for (const LabTests& tests : e.next.tests)
+      for (const LabTest& t : tests.any_of)
+        if (auto& list = by_property[t.property]; std::ranges::find(list, LabTests(t)) == list.end())
+          list.emplace_back(t);
+  const auto best =
+      std::ranges::max_element(by_property, {}, [](const auto& tests) { return tests.second.size(); });
+  if (best == by_property.end()) return "";
+  std::vector<LabTests> asked;  // what is good anywhere is in what is asked for somewhere
+  for (const LabTests& tests : best->second)
+    if (best->second.size() == 1 || tests.any_of.front().where != Inclination::any) asked.push_back(tests);
+  return names_of(asked);
+}
+
+Finding open_parameters(const std::vector<ParameterEstimate>& parameters) {
+  std::vector<ParameterEstimate> open;
+  for (const ParameterEstimate& e : parameters)
+    if (!e.determined) open.push_back(e);
+  if (open.empty()) return {Kind::parameters_known};
+  Finding f{Kind::parameters_open, {}, {}, {best_test(open)}};
+  for (const ParameterEstimate& e : open) f.names.push_back(e.symbol);
+  return f;
+}
+
+void add_doubts(const RockCheck& check, std::vector<Finding>& lines) {
+  const std::size_t n = std::min(most_doubts, check.doubts.size());
+  lines.insert(lines.end(), check.doubts.begin(), check.doubts.begin() + static_cast<std::ptrdiff_t>(n));
+  if (check.doubts.size() > n)
+    lines.push_back({Kind::more_doubts, {}, {{"doubts", static_cast<double>(check.doubts.size() - n)}}});
+}
+
+/// Tests, time and models of the calibration; nothing can be fitted of some tables.
+void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines) {
+  try {
+    const calibrate::Outlook ahead = calibrate::outlook_of(check.as_read, {});
+    lines.push_back(expected_course(ahead.ahead(), threads));
+  } catch (const InputError&) {
+    lines.push_back({Kind::nothing_to_fit});
+    return;
+  }
+  Finding models{Kind::models_ahead};
+  std::set<const RockModel*> kinds;
+  for (const Rock& rock : maps::candidates_of(check.as_read))
+    if (kinds.insert(&maps::model_of(rock)).second)
+      models.names.push_back(has_bridges(rock.model) ? "joints on a share of the planes"
+                                                     : maps::model_in_words(rock));
+  lines.push_back(models);
+}
+
+}  // namespace
+
+std::vector<Finding> summary_of(const RockCheck& check, int threads) {
+  std::vector<Finding> lines;
+  add_doubts(check, lines);
+  lines.push_back(angles_of(check.evidence));
+  for (const bool strengths : {false, true})
+    if (Finding values = values_of(check.evidence, strengths); !values.cells.empty())
+      lines.push_back(std::move(values));
+  if (check.doubts.empty()) lines.push_back({Kind::no_doubts});
+  for (const Finding& limit : check.limits)
+    if (limit.kind == Kind::no_layered_body || limit.kind == Kind::one_cell_of_no_body) {
+      lines.push_back({Kind::no_body_in_short,
+                       {limit.cells.front()},
+                       {{"with_nu", check.evidence.has(Property::nu) ? 1.0 : 0.0}}});
+      break;
+    }
+  if (!check.parameters.empty()) lines.push_back(open_parameters(check.parameters));
+  lines.push_back(check.forecast.empty() ? Finding{Kind::forecast_none} : check.forecast.front());
+  add_course(check, threads, lines);
+  return lines;
+}
+
+std::string rock_check(const Rock& read, const std::string& path, int width, int threads, bool all) {
+  const RockCheck found = check(read);
+  const Rock& rock = found.evidence.rock;
+  std::string text = wrapped(fmt::format("{} ({})\n", rock.name, path), width, 2);
+  const auto items = [&](const std::vector<std::string>& lines, const char* mark) {
+    for (const std::string& line : lines) text += wrapped(mark + line + "\n", width, 2);
+  };
+  items({rock.notes.begin(), rock.notes.begin() + std::min(most_notes, std::ssize(rock.notes))}, "");
+  items(report::sentences(summary_of(found, threads)), "");
+  if (!all) return text + "Details: phyllite rock check " + sh_word(path) + " --all\n";
+  text += "\n" + report::target_table(found.evidence.targets, width) + "\n";
+  if (std::ssize(rock.notes) > most_notes) items({rock.notes.begin() + most_notes, rock.notes.end()}, "- ");
+  if (found.doubts.size() > most_doubts)
+    items(report::sentences({found.doubts.begin() + most_doubts, found.doubts.end()}), "- ");
+  items(report::sentences(found.statements), "- ");
+  text += "\n" + report::identifiability_table(found.parameters, width);
+  items(found.models, "- ");
+  items(report::sentences(found.limits), "- ");
+  items(found.in_maps, "- ");
+  if (found.forecast.size() > 1)
+    items(report::sentences({found.forecast.begin() + 1, found.forecast.end()}), "- ");
+  return text;
+}
+
+}  // namespace phy::jobs
