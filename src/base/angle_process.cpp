@@ -51,6 +51,7 @@ AngleProcess::Node AngleProcess::node(double size, double length) const {
     }
   const Eigen::LLT<MatrixXd> cholesky(K);
   Node node{size, length, 0.0, cholesky.solve(MatrixXd::Identity(n, n))};
+  // half of the logarithm of a determinant is the sum over the diagonal of its root
   const VectorXd diagonal = cholesky.matrixLLT().diagonal();
   node.weight = -0.5 * values_.dot(node.inverse * values_) - diagonal.array().log().sum();
   return node;
@@ -71,6 +72,8 @@ AngleProcess::AngleProcess(const std::vector<AngleCell>& cells, double usual_siz
 }
 
 AngleProcess::Prediction AngleProcess::predicted(const AnglePlace& place, std::size_t own_of) const {
+  // The average over the nodes is linear in the values, as each node is. So one vector of weights serves
+  // other values too; the weights of the nodes stay those of the values learnt from.
   Prediction all{VectorXd::Zero(values_.size())};
   double squares = 0.0;
   for (const Node& node : nodes_) {

@@ -162,6 +162,8 @@ struct Predictor {
   /// together; of a target left out it is the laboratory's mean, which is yet to be seen.
   Comparison row(const Target& t, std::size_t i, bool left_out) const {
     const Discrepancy::Term term = discrepancy.of(i);
+    // Each draw misses the table in its own way and is corrected by the weights of the estimate: a draw that
+    // is too strong everywhere is brought back, so that the level is not counted twice.
     const double sd = std::sqrt(term.variance + (left_out ? best[i].noise : 0.0));
     std::vector<double> logs;
     for (std::size_t k = 0; k < draws.size(); ++k)

@@ -98,6 +98,7 @@ void add_between(const Calibration& c, const Target& test, Panel& panel) {
         f * std::lerp(below.mean, above->mean, step > 0.0 ? (a.theta - below.target.theta) / step : 0.0);
     band.points.push_back({a.theta, model * a.factor, model * a.low, model * a.high});
   }
+  if (band.points.empty()) return;  // a modulus
   panel.series.insert(panel.series.begin(), band);
   panel.series.push_back(bare);
 }
