@@ -18,7 +18,7 @@ class PointLoad : public rock::RockFile {};
 
 TEST_F(PointLoad, IsReadUnderTheNamesOfLaboratories) {
   for (const char* header : {"I_s50 [MPa]", "I_s(50) (MPa)", "Is50 (MPa)", "Is(50) [MPa]", "Is(50)",
-                             "Is [MPa]", "PLT (MPa)", "Point load (MPa)", "Point load Is(50) (bar)"}) {
+                             "Is [MPa]", "PLT (MPa)", "Point load (MPa)"}) {
     const std::string unit = std::string(header) == "Is(50)" ? ",,MPa,MPa\n" : "";
     const Rock r = rock(std::string("theta [deg],E [GPa],UCS") + (unit.empty() ? " [MPa]," : ",") + header +
                         "\n" + unit + "0,23,105,4\n45,20,53,\n90,59,138,6\n");
