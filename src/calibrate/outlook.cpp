@@ -25,6 +25,7 @@ constexpr double one_sided = 5.0, of_first_fit = 12.0, of_packings = 50.0, of_mo
                  of_eq2 = 30.0;
 // What draws and surrogates take beside the tests, per strength and batch, in the same unit as these.
 constexpr double of_learning = 4e6;
+constexpr double flat_joint_cost = 2.0;   // of a contact and cycle, over parallel bonds
 constexpr double bridged_packings = 3.0;  // that models with bridges are compared on
 constexpr int most_softenings = 4, sequence_tests = 8, sequence_rounds = 4;
 
@@ -72,10 +73,11 @@ class CostOfTests {
   PointCost on(Grains grains, const Loading& loading) const {
     const Recipe recipe = grains == Grains::coarse ? coarse(settings_) : settings_;
     PointCost point;
+    const double of_contact = recipe.matrix.model == MatrixModel::flat_joint ? flat_joint_cost : 1.0;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       if (measured(targets_[i].property).read_before) continue;  // in a test of another
       const Recipe one = tests_.of(recipe, i, recipe.packing.seed, loading);
-      point.cost += study::expected_cost(one, tests_.peak_strain(i)), ++point.tests;
+      point.cost += of_contact * study::expected_cost(one, tests_.peak_strain(i)), ++point.tests;
       point.compression += is_compressive(targets_[i].property) ? 1 : 0;
     }
     return point;

@@ -30,6 +30,11 @@ Figure anisotropy(const FigureData& data) {
   if (data.calibration)
     throw InputError(
         Problem{data.calibration->rock, "fitted", "", "values of a laboratory", "calibrate the rock again"});
+  // an untrusted test has no place over the angle: what it lacks is no angle
+  for (const SpecimenRecord& t : data.run.tests)
+    if (const Outcome& o = t.result.outcome; o.status == Status::untrusted)
+      throw InputError(
+          Problem{"result", "", t.result.name, "a test that can be trusted", o.reason + "; " + o.advice});
   throw InputError(Problem{"result", "theta", "", "specimens with layers and with numbers",
                            "run a recipe with [[bedding]] or a foliated matrix, and test.angles"});
 }
@@ -103,7 +108,7 @@ std::string figure_text(const FigureKind& kind, const FigureData& data, int colu
   std::string text;
   for (const Panel& panel : kind.make(data).panels) {
     for (const std::string& line : terminal_plot(panel, columns, rows, false)) text += line + "\n";
-    text += panel.caption.empty() ? "\n" : wrapped(panel.caption + "\n", columns) + "\n";
+    text += panel.caption.empty() ? "\n" : wrapped(panel.caption, columns) + "\n\n";
   }
   return text;
 }

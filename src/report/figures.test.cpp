@@ -171,6 +171,18 @@ TEST(Figures, OnlyPanelsWithNumbersAreDrawn) {
   EXPECT_EQ(script_of("anisotropy", data).find("NaN 1"), std::string::npos);
 }
 
+TEST(Figures, TestsThatAreNotTrustedSayWhyTheyHaveNoPlaceOverTheAngle) {
+  FigureData data;
+  data.run.tests = {test_at(0.0, "ucs", 1.0)};
+  data.run.tests[0].result.outcome = {Status::untrusted, "rattlers 0.4", "raise it"};
+  try {
+    script_of("anisotropy", data);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("rattlers 0.4; raise it"));
+  }
+}
+
 Comparison compared(Property property, double theta, double laboratory, double model) {
   Comparison c;
   c.target.property = property, c.target.theta = theta, c.target.mean = laboratory;
