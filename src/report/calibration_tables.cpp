@@ -278,7 +278,7 @@ std::string macro_table(const Calibration& c, int terminal_width) {
   const Columns unseen = {column("unseen", [&](R r) { return value_cell(row_of(c.verification, r.target)); }),
                           column("error", [&](R r) { return error_cell(row_of(c.verification, r.target)); })};
   std::vector<Columns> groups = {laboratory, fit, unseen};
-  std::string legend = "rock, 95 %: where the rock's own value lies, by laboratory and model together\n";
+  std::string legend = "rock, 95 %: of the mean, by laboratory and model together\n";
   if (c.E_is != ModulusReading::small_strain)
     legend += fmt::format("E: {}, of the laboratory and of the press alike\n", to_string(c.E_is));
   if (!c.tangent_from_test.empty()) {
@@ -356,7 +356,9 @@ std::string verdict_text(const Calibration& c, int terminal_width) {
 }
 
 std::string sentence_text(const Calibration& c, int terminal_width) {
-  return wrapped(verdict_words(c) + "\n", terminal_width, 2);
+  std::string text = wrapped(verdict_words(c) + "\n", terminal_width, 2);
+  for (const std::string& line : verdict_lines(c)) text += wrapped(line + "\n", terminal_width, 2);
+  return text;
 }
 
 std::string budget_text(const Calibration& c, int terminal_width) {
