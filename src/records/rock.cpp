@@ -45,6 +45,20 @@ Pool variance_of(const Pool& own, const Pool& others, const Pool& prior) {
   return {(own.squares + lent * common) / degrees, degrees};
 }
 
+/// Scatter of a cell, from its own deviations and those of all cells of the property: with what is usual and,
+/// where the table knows enough by itself, without.
+void set_scatter(Target& t, const Pool& own, const Pool& all) {
+  const MeasuredProperty& p = measured(t.property);
+  const Pool others = {all.squares - own.squares, all.degrees - own.degrees},
+             usual = {prior_degrees * p.usual_scatter * p.usual_scatter, prior_degrees};
+  const double unit = p.absolute ? 1.0 : t.mean;
+  const auto [variance, degrees] = variance_of(own, others, usual);
+  t.sd = std::sqrt(variance) * unit, t.degrees = degrees, t.sd_assumed = all.degrees < prior_degrees;
+  if (all.degrees < many_degrees) return;
+  const Pool stated = variance_of(own, others, {});
+  t.stated_sd = std::sqrt(stated.squares) * unit, t.stated_degrees = stated.degrees;
+}
+
 /// Of one confining stress alone.
 AlongBedding along_under(const std::vector<Target>& targets, double confining) {
   AlongBedding along;
@@ -183,21 +197,8 @@ std::vector<Target> targets_of(const Rock& rock) {
     pooled[t.property].squares += cell.squares, pooled[t.property].degrees += cell.degrees;
     targets.push_back(t);
   }
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    Target& t = targets[i];
-    const Pool& all = pooled[t.property];
-    const Pool others = {all.squares - own[i].squares, all.degrees - own[i].degrees};
-    const double usual = measured(t.property).usual_scatter,
-                 unit = measured(t.property).absolute ? 1.0 : t.mean;
-    const auto [variance, degrees] =
-        variance_of(own[i], others, {prior_degrees * usual * usual, prior_degrees});
-    t.sd = std::sqrt(variance) * unit, t.degrees = degrees;
-    if (all.degrees >= many_degrees) {
-      const Pool stated = variance_of(own[i], others, {});
-      t.stated_sd = std::sqrt(stated.squares) * unit, t.stated_degrees = stated.degrees;
-    }
-    t.sd_assumed = all.degrees < prior_degrees;
-  }
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    set_scatter(targets[i], own[i], pooled[targets[i].property]);
   if (rock.reading == ElasticReading::plane_strain) to_plane_stress(targets);
   return targets;
 }
