@@ -199,7 +199,7 @@ TEST(Calibrate, OneSpecimenAnAngleDecidesNothing) {
   PaperPress press;
   const Calibration c = calibrated(single, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::not_decided);
-  EXPECT_EQ(c.verdict.counts.number("met"), 0.0);
+  EXPECT_EQ(c.verdict.counts.number("met"), 4.0) << "nu alone: 0.03 of scatter, errors of 0.1 matter";
   const Finding* open = first_of(c.verdict.findings, FindingKind::value_open);
   ASSERT_NE(open, nullptr);
   EXPECT_GT(open->number("bound"), open->number("coarsest"));

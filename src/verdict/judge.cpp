@@ -47,7 +47,7 @@ void report_limits(const Results& r, const std::vector<JudgedCell>& cells, std::
     const Property p = c.row.target.property;
     moduli_met = moduli_met && (is_strength(p) || c.outcome == Outcome::met);
     nu_missed = nu_missed || (p == Property::nu && c.outcome == Outcome::missed);
-    if (p == Property::E && c.row.answered()) E_error = std::max(E_error, margin(c.row));
+    if (p == Property::E) E_error = std::max({E_error, tolerance(p), 2.0 * c.error});
   }
   if (moduli_met) return;
   findings.insert(findings.end(), r.limits_of_table.begin(), r.limits_of_table.end());
