@@ -20,7 +20,7 @@ CHOICES = re.compile(r"(verdict\.status|method|effort|E_is|layers|matrix|rock|re
 # Names of an earlier shape -> names of the present one, as regular expressions of whole paths, applied in turn.
 RENAMED = []
 # Not a result: versions, and texts laid out as rows.
-NO_RESULT = re.compile(r"format|program\.|tables\b|methods\b|verdict\.(sentence|summary)\b|.*\.text$")
+NO_RESULT = re.compile(r"format|program\.|tables\b|methods\b|verdict\.(sentence|lines)\b|.*\.text$")
 
 
 def identity(element, place):

@@ -423,13 +423,16 @@ class Verdict:
     """The answer."""
 
     status: str  #: "calibrated", "calibrated except", ... (docs/calibration.md)
-    sentence: str  #: status, cause and next step
+    sentence: str  #: status, and how many values are met, missed and not decided
+    lines: List[str]  #: good for; not good for; why and what next
+    good_for: List[Finding]  #: tests of the table that are met, others that its parameters determine
+    not_good_for: List[Finding]  #: tests that are missed or not decided, others that the table leaves open
     findings: List[Finding]  #: each limit with numbers
     causes: List[Finding]  #: of the misfit, the largest share first; what is left open where the table is met
     next: str  #: the step to take
 
     def __str__(self) -> str:
-        return self.sentence
+        return "\n".join([self.sentence, *self.lines])
 
 
 class Calibration:
@@ -450,8 +453,8 @@ class Calibration:
         self.left_out = [Comparison(**row) for row in record.left_out]
         #: K_Ic on unseen packings, where nobody has stated the grain size: compared, not fitted
         self.compared = [Comparison(**row) for row in record.compared]
-        self.verdict = Verdict(record.status, record.sentence, [Finding(**row) for row in record.findings],
-                               [Finding(**row) for row in record.causes], record.next)
+        findings = [[Finding(**row) for row in rows] for rows in (record.good_for, record.not_good_for, record.findings, record.causes)]
+        self.verdict = Verdict(record.status, record.sentence, record.lines, *findings, record.next)
         self.notes = [Finding(**row) for row in record.notes]
 
     @property

@@ -28,6 +28,14 @@ double student_t_95(std::size_t degrees) {
   return boost::math::quantile(boost::math::students_t(static_cast<double>(degrees)), 0.975);
 }
 
+double student_t_chance(double t, double degrees) {
+  return 2.0 * boost::math::cdf(boost::math::complement(boost::math::students_t(degrees), t));
+}
+
+double student_t_one_sided_95(double degrees) {
+  return boost::math::quantile(boost::math::students_t(degrees), 0.95);
+}
+
 Summary summarise(std::span<const double> values) {
   Summary s;
   s.n = values.size();

@@ -29,6 +29,12 @@ double chi_square_99(std::size_t degrees);
 /// The value that |t| of `degrees` >= 1 degrees of freedom exceeds with a probability of 5 %. NaN for 0.
 double student_t_95(std::size_t degrees);
 
+/// The probability that |t| of `degrees` > 0 degrees of freedom exceeds `t` >= 0. Infinite degrees: normal.
+double student_t_chance(double t, double degrees);
+
+/// The value that t of `degrees` > 0 degrees of freedom exceeds with a probability of 5 %.
+double student_t_one_sided_95(double degrees);
+
 /// y = intercept + slope x by least squares. NaN where the points do not determine it.
 struct LineFit {
   std::size_t n = 0;

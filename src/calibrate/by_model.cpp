@@ -139,19 +139,19 @@ Verdict judged(const Calibration& c, const Evidence& evidence, const Found& foun
   r.limits_of_table = limits_of(evidence, found);
   if (found.strengths) r.of_search = found.strengths->fit.findings;
   r.verification = c.verification;
-  return verdict::judge(std::move(r));
+  return verdict::judge(r);
 }
 
 /// "shale, calibrated", or what else stands in the recipe: the name goes into every file that holds it.
 std::string name_of(const Calibration& result, bool moduli, bool strength) {
   if (result.verdict.status == VerdictStatus::out_of_reach)
     return result.rock + ", the nearest model (out of reach)";
-  const bool open = result.verdict.status == VerdictStatus::not_resolved;
+  const bool open = result.verdict.status == VerdictStatus::not_decided;
   return result.rock +
          (!strength ? ", moduli calibrated, strengths given"
           : moduli  ? ", calibrated"
                     : ", strengths calibrated, moduli given") +
-         (open ? " (not resolved by the table)" : "");
+         (open ? " (not decided by the table)" : "");
 }
 
 template <class T>

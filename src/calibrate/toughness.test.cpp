@@ -112,13 +112,12 @@ TEST(Toughness, IsMetWhereTheGrainSizeIsStated) {
 }
 
 // Grains of 2.25 times the size have 1.5 times the toughness: no strength can make up for that.
-TEST(Toughness, OfOtherGrainsIsAMissAndItsCauseTheGrains) {
+TEST(Toughness, OfOtherGrainsIsNotMet) {
   PaperPress press;
   const Calibration c = calibrated(table(true, 2.25), press);
   EXPECT_NE(c.verdict.status, VerdictStatus::calibrated);
-  EXPECT_THAT(c.verdict.findings, Contains(testing::Truly([](const Finding& f) {
-                return f.kind == FindingKind::value_missed &&
-                       f.cells[0].property == Property::fracture_toughness;
+  EXPECT_THAT(c.verdict.not_good_for, Contains(testing::Truly([](const Finding& f) {
+                return !f.cells.empty() && f.cells[0].property == Property::fracture_toughness;
               })));
 }
 

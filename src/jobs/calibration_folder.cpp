@@ -22,7 +22,6 @@
 #include "records/recipe_schema.hpp"
 #include "records/specimen_record.hpp"
 #include "report/calibration_files.hpp"
-#include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
 #include "report/methods.hpp"
 #include "report/pfc_commands.hpp"
@@ -207,10 +206,9 @@ void SpecimenFolder::add(const Specimen& specimen, const Recipe& recipe, const T
 }
 
 std::string screen_of(const Calibration& c, int width) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", report::sentence_text(c, width),
+  return fmt::format("{}\n{}\n{}\n{}\n{}", report::sentence_text(c, width),
                      report::parameter_tables(c, width), report::angle_table(c, width),
-                     report::error_table(c, width), report::summary_text(c, width),
-                     report::budget_text(c, width));
+                     report::error_table(c, width), report::budget_text(c, width));
 }
 
 void write_calibration(const std::string& folder, const Calibration& c) {

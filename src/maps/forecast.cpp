@@ -236,7 +236,7 @@ VerdictStatus status_of(const Forecast& f) {
     coarse = coarse || unresolved(c);
   }
   return any_missed ? VerdictStatus::calibrated_except
-         : coarse   ? VerdictStatus::not_resolved
+         : coarse   ? VerdictStatus::not_decided
                     : VerdictStatus::calibrated;
 }
 
@@ -343,7 +343,7 @@ FindingKind kind_of(VerdictStatus status) {
   switch (status) {
     case VerdictStatus::out_of_reach: return FindingKind::forecast_out_of_reach;
     case VerdictStatus::calibrated_except: return FindingKind::forecast_excepted;
-    case VerdictStatus::not_resolved: return FindingKind::forecast_unresolved;
+    case VerdictStatus::not_decided: return FindingKind::forecast_unresolved;
     default: return FindingKind::forecast_calibrated;
   }
 }

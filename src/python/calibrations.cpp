@@ -175,6 +175,10 @@ void add_calibrations(py::module_& m) {
       .def_property_readonly("sentence", [](const Calibration& c) { return report::verdict_words(c); })
       .def_property_readonly("findings", [](const Calibration& c) { return rows_of(c.verdict.findings); })
       .def_property_readonly("causes", [](const Calibration& c) { return rows_of(c.verdict.causes); })
+      .def_property_readonly("lines", [](const Calibration& c) { return report::verdict_lines(c); })
+      .def_property_readonly("good_for", [](const Calibration& c) { return rows_of(c.verdict.good_for); })
+      .def_property_readonly("not_good_for",
+                             [](const Calibration& c) { return rows_of(c.verdict.not_good_for); })
       .def_property_readonly("next", [](const Calibration& c) { return report::next_words(c); })
       .def_property_readonly("parameters",
                              [](const Calibration& c) {

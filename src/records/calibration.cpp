@@ -48,7 +48,7 @@ const char* to_string(VerdictStatus status) {
   switch (status) {
     case VerdictStatus::calibrated: return "calibrated";
     case VerdictStatus::calibrated_except: return "calibrated except";
-    case VerdictStatus::not_resolved: return "not resolved";
+    case VerdictStatus::not_decided: return "not decided";
     case VerdictStatus::out_of_reach: return "out of reach";
     case VerdictStatus::interrupted: break;
   }

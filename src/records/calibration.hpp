@@ -60,17 +60,21 @@ struct Comparison {
   bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };
 
-enum class VerdictStatus { calibrated, calibrated_except, not_resolved, out_of_reach, interrupted };
+enum class VerdictStatus { calibrated, calibrated_except, not_decided, out_of_reach, interrupted };
 const char* to_string(VerdictStatus status);
 
-/// What the numbers mean: the status by the margins of verdict/margin.hpp, each limit that the model or the
-/// table ran into, where most of the misfit lies (the largest share first; of a model that meets its table,
-/// what is left open), and what to do next: the advice of a finding of its own.
+/// What the numbers mean: the status (verdict/judge.hpp) with how many values are met, missed and open; each
+/// limit that the model or the table ran into; what the model may and may not be used for; where most of the
+/// misfit lies (the largest share first; of a model that meets its table, what is left open); and what to do
+/// next: the advice of a finding of its own.
 struct Verdict {
   VerdictStatus status = VerdictStatus::calibrated;
   std::vector<Finding> findings = {};
+  std::vector<Finding> good_for = {}, not_good_for = {};
   std::vector<Finding> causes = {};
   Finding next{FindingKind::next_step};
+  /// `values_judged`; without numbers: nothing was judged.
+  Finding counts{FindingKind::values_judged};
 };
 
 /// The row of a target; nullptr if there is none.

@@ -13,6 +13,7 @@ namespace phy {
 namespace {
 
 constexpr int prior_degrees = 4;     // degrees of freedom that the prior scatter is worth
+constexpr int many_degrees = 10;     // with which a table needs no prior to know its scatter
 constexpr int most_lent = 10;        // that the prior and the other cells lend to one
 constexpr double same_angle = 1e-6;  // [deg]
 
@@ -35,13 +36,27 @@ Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
 }
 
 /// Variance of single specimens of a cell and the degrees of freedom behind it: the scale of an inverse
-/// chi-square that begins with the prior, learns from the other cells and, as far as these may lend, from the
-/// cell's own.
-Pool variance_of(const Pool& own, const Pool& others, double prior) {
-  const int common_degrees = prior_degrees + others.degrees, lent = std::min(most_lent, common_degrees);
-  const double common = (prior_degrees * prior * prior + others.squares) / common_degrees;
+/// chi-square that begins with the prior (its squares are variance times degrees), learns from the other
+/// cells and, as far as these may lend, from the cell's own.
+Pool variance_of(const Pool& own, const Pool& others, const Pool& prior) {
+  const int common_degrees = prior.degrees + others.degrees, lent = std::min(most_lent, common_degrees);
+  const double common = common_degrees > 0 ? (prior.squares + others.squares) / common_degrees : 0.0;
   const int degrees = own.degrees + lent;
   return {(own.squares + lent * common) / degrees, degrees};
+}
+
+/// Scatter of a cell, from its own deviations and those of all cells of the property: with what is usual and,
+/// where the table knows enough by itself, without.
+void set_scatter(Target& t, const Pool& own, const Pool& all) {
+  const MeasuredProperty& p = measured(t.property);
+  const Pool others = {all.squares - own.squares, all.degrees - own.degrees},
+             usual = {prior_degrees * p.usual_scatter * p.usual_scatter, prior_degrees};
+  const double unit = p.absolute ? 1.0 : t.mean;
+  const auto [variance, degrees] = variance_of(own, others, usual);
+  t.sd = std::sqrt(variance) * unit, t.degrees = degrees, t.sd_assumed = all.degrees < prior_degrees;
+  if (all.degrees < many_degrees) return;
+  const Pool stated = variance_of(own, others, {});
+  t.stated_sd = std::sqrt(stated.squares) * unit, t.stated_degrees = stated.degrees;
 }
 
 /// Of one confining stress alone.
@@ -76,11 +91,12 @@ void to_plane_stress(std::vector<Target>& targets) {
     if (t.property == Property::nu)
       for (double& nu_one : t.specimens) nu_one = E_2D * (nu_one / at->second + held);
     if (t.property == Property::E) {
-      t.sd *= E_2D / t.mean, t.mean = E_2D;
+      t.stated_sd *= E_2D / t.mean, t.sd *= E_2D / t.mean, t.mean = E_2D;
     } else if (t.property == Property::nu) {
       const double nu_2D = E_2D * (t.mean / at->second + held);
       const double by_held = same_cell(t, nu) ? E_2D * (1.0 + nu_2D) * 2.0 * nu.mean / E.mean : 0.0;
-      t.sd *= E_2D / at->second + by_held, t.mean = nu_2D;
+      for (double* sd : {&t.sd, &t.stated_sd}) *sd *= E_2D / at->second + by_held;
+      t.mean = nu_2D;
     }
   }
 }
@@ -181,14 +197,8 @@ std::vector<Target> targets_of(const Rock& rock) {
     pooled[t.property].squares += cell.squares, pooled[t.property].degrees += cell.degrees;
     targets.push_back(t);
   }
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    Target& t = targets[i];
-    const Pool& all = pooled[t.property];
-    const Pool others = {all.squares - own[i].squares, all.degrees - own[i].degrees};
-    const auto [variance, degrees] = variance_of(own[i], others, measured(t.property).usual_scatter);
-    t.sd = std::sqrt(variance) * (measured(t.property).absolute ? 1.0 : t.mean), t.degrees = degrees;
-    t.sd_assumed = all.degrees < prior_degrees;
-  }
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    set_scatter(targets[i], own[i], pooled[targets[i].property]);
   if (rock.reading == ElasticReading::plane_strain) to_plane_stress(targets);
   return targets;
 }

@@ -44,8 +44,11 @@ struct Target {
   double confining = 0.0;   ///< [Pa] of a strength or of moduli under confinement
   int degrees = 0;          ///< degrees of freedom behind `sd`; 0: it is known
   std::vector<double> specimens = {};  ///< single ones of the table, SI; rows that stand for several are not
-  double standard_error() const;       ///< sd/sqrt(n)
-  double half_width() const;           ///< of the 95 % interval of the mean (Student)
+  /// `sd` as the table alone has it, without what is usual, where it has many degrees of freedom; else NaN.
+  double stated_sd = nan;
+  int stated_degrees = 0;
+  double standard_error() const;  ///< sd/sqrt(n)
+  double half_width() const;      ///< of the 95 % interval of the mean (Student)
   /// Standard error of the normal distribution with the same 95 % interval.
   double normal_error() const;
 };

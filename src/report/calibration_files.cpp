@@ -46,9 +46,13 @@ Json rows_json(const std::vector<Comparison>& rows) {
 Json verdict_json(const Calibration& c) {
   Json next = finding_json(c.verdict.next);
   next["text"] = next_words(c);
+  const Finding& counts = c.verdict.counts;
   return {{"status", to_string(c.verdict.status)},
           {"sentence", verdict_words(c)},
-          {"summary", summary_lines(c)},
+          {"lines", verdict_lines(c)},
+          {"counts", counts.has("values") ? finding_json(counts) : Json(nullptr)},
+          {"good_for", findings_json(c.verdict.good_for)},
+          {"not_good_for", findings_json(c.verdict.not_good_for)},
           {"findings", findings_json(c.verdict.findings)},
           {"causes", findings_json(c.verdict.causes)},
           {"next", std::move(next)}};
@@ -236,15 +240,20 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
 
 std::string recipe_comments(const Calibration& c) {
   std::string text = comment_text(c.rock + ": " + verdict_words(c)) + "\n", open;
+  std::vector<std::string> known;
+  for (const std::string& line : verdict_lines(c)) text += comment_text(line) + "\n";
   for (const ParameterEstimate& e : c.parameters)
     if (e.open())
       open += fmt::format("  {} = {}, 95 % interval {} to {}\n", comment_text(e.key),
                           parameter_text(e.value, e.unit), parameter_text(e.low, e.unit),
                           parameter_text(e.high, e.unit));
+    else
+      known.push_back(comment_text(e.symbol));
   text +=
       c.method == CalibrationMethod::sequence
           ? "Found step by step, as the paper does: no intervals, nothing said of what the data leave open.\n"
-      : open.empty() ? "The data constrain every parameter that was sought.\n"
+      : open.empty() && known.empty() ? "No parameter was fitted.\n"
+      : open.empty()                  ? "The data constrain what was fitted: " + list_text(known) + ".\n"
                      : "The data do not constrain (within the values that the calibration admits):\n" + open;
   return as_comments(text);
 }

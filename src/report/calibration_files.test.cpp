@@ -31,7 +31,8 @@ TEST(YadeScript, SaysThatBridgesAreLeftOut) {
 
 TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
   Calibration c;
-  c.rock = "grey\nshale", c.verdict.next.advice = Advice::use_model;
+  c.rock = "grey\nshale",
+  c.verdict.good_for = {{FindingKind::tests_met, {{Property::E, 0.0}}, {{"of", 2.0}}}};
   ParameterEstimate known{"matrix.E_c", "E_c", "Pa", 3e10, 2.9e10, 3.1e10, 1e9, 1e11, true, {}, {}},
       open{"matrix.tau_c", "tau_c", "Pa", 6e7, 2e7, 1.5e9, 1e6, 1e10, false, {}, {}};
   Comparison met;
@@ -39,22 +40,22 @@ TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
   c.fitted = {met};
   c.parameters = {known, open};
   const std::string text = recipe_comments(c);
-  EXPECT_THAT(text, HasSubstr("calibrated.toml"));
+  EXPECT_THAT(text, HasSubstr("Good for: E at 0 degrees."));
   EXPECT_THAT(text, HasSubstr("#   matrix.tau_c = 60 MPa, 95 % interval 20 MPa to 1.5 GPa\n"));
-  EXPECT_THAT(text, Not(HasSubstr("E_c")));
+  EXPECT_THAT(text, Not(HasSubstr("matrix.E_c")));
   for (std::size_t from = 0; from + 1 < text.size(); from = text.find('\n', from) + 1)
     EXPECT_TRUE(text[from] == '#' || text[from] == '\n')
         << text.substr(from);  // a comment, whatever the name
   c.parameters = {known};
-  EXPECT_THAT(recipe_comments(c), HasSubstr("constrain every parameter that was sought"));
+  EXPECT_THAT(recipe_comments(c), HasSubstr("constrain what was fitted: E_c."));
 }
 
 TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   Calibration c;
-  c.rock = "r", c.verdict = {VerdictStatus::calibrated_except,
-                             {{FindingKind::value_missed,
-                               {{Property::ucs, 45.0, 1e6}},
-                               {{"model", 40e6}, {"laboratory", 50e6}, {"margin", nan}}}}};
+  c.rock = "r", c.verdict.status = VerdictStatus::calibrated_except;
+  c.verdict.findings = {{FindingKind::value_missed,
+                         {{Property::ucs, 45.0, 1e6}},
+                         {{"model", 40e6}, {"laboratory", 50e6}, {"sd", nan}}}};
   c.verdict.next.advice = Advice::check_value, c.verdict.next.cells = {{Property::ucs, 45.0}};
   Comparison row;
   row.target = {Property::ucs, 45.0, 50e6, 2e6, 3, false};
@@ -70,7 +71,7 @@ TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   EXPECT_EQ(finding["cells"][0]["property"], "UCS");
   EXPECT_EQ(finding["cells"][0]["confining [Pa]"], 1e6);
   EXPECT_EQ(finding["numbers"]["laboratory"], 50e6);
-  EXPECT_TRUE(finding["numbers"]["margin"].is_null());
+  EXPECT_TRUE(finding["numbers"]["sd"].is_null());
   EXPECT_FALSE(finding.contains("advice"));
   EXPECT_EQ(j["verdict"]["next"]["advice"], "check_value");
   EXPECT_FALSE(j["verdict"]["next"]["text"].get<std::string>().empty());

@@ -282,7 +282,7 @@ std::string macro_table(const Calibration& c, int terminal_width) {
                  column("error", [](R r) { return error_cell(&r); })};
   const Columns unseen = {column("unseen", [&](R r) { return value_cell(row_of(c.verification, r.target)); }),
                           column("error", [&](R r) { return error_cell(row_of(c.verification, r.target)); })};
-  std::string legend = "rock, 95 %: where the rock's own value lies, by laboratory and model together\n";
+  std::string legend = "rock, 95 %: of the mean, by laboratory and model together\n";
   if (!c.discrepancy.empty()) {
     fit.push_back(column("with discrepancy", [&](R r) { return number_cell(r, r.with_discrepancy); }));
     legend +=
@@ -361,7 +361,9 @@ std::string verdict_text(const Calibration& c, int terminal_width) {
 }
 
 std::string sentence_text(const Calibration& c, int terminal_width) {
-  return wrapped(verdict_words(c) + "\n", terminal_width, 2);
+  std::string text = wrapped(verdict_words(c) + "\n", terminal_width, 2);
+  for (const std::string& line : verdict_lines(c)) text += wrapped(line + "\n", terminal_width, 2);
+  return text;
 }
 
 std::string budget_text(const Calibration& c, int terminal_width) {

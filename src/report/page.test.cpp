@@ -100,7 +100,7 @@ TEST(Page, CarriesCalibrationAndLaboratory) {
   Calibration c;
   c.rock = "shale & co";
   c.verdict.status = VerdictStatus::calibrated_except;
-  c.verdict.findings = {{FindingKind::fit_missed,
+  c.verdict.findings = {{FindingKind::value_missed,
                          {{Property::nu, 45.0}},
                          {{"model", 0.3}, {"laboratory", 0.2}, {"margin", 0.03}}}};
   c.parameters = {{"matrix.E_c", "E_c", "Pa", 3.8e10, 3.5e10, 4e10, 1e9, 1e11, true, {}, {}}};

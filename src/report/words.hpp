@@ -20,9 +20,13 @@ std::vector<std::string> sentences(const std::vector<Finding>& findings);
 /// What to do, as an imperative without a full stop: "test more specimens of UCS at 30 degrees".
 std::string text(Advice advice, const Finding& of);
 
-/// The verdict: what is met and what is not, where most of the misfit lies, and the next step.
+/// The verdict: its status, how many values are met, missed and not decided, and how many of these chance
+/// alone would give.
 std::string verdict_words(const Calibration& calibration);
-/// The next step alone, like text(): of a parameter that is open, the test that would determine it.
+/// What the model is good for; what not; why, and what next. A line each.
+std::vector<std::string> verdict_lines(const Calibration& calibration);
+/// The next step alone, without a full stop, like text(): of a parameter that is open, the test that would
+/// determine it.
 std::string next_words(const Calibration& calibration);
 
 // ---- one formatter per unit

@@ -43,11 +43,9 @@ TEST(Words, CellsOfOneTestAreNamedTogether) {
 }
 
 TEST(Words, AValueThatIsMissed) {
-  EXPECT_EQ(
-      sentence({Kind::value_missed, {ucs_60}, {{"model", 48.0e6}, {"laboratory", 51.4e6}, {"margin", 0.06}}}),
-      "On unseen packings UCS at 60 degrees is 48.0 MPa in the model and 51.4 MPa in the table, 6.6 % too "
-      "low.");
-  EXPECT_EQ(sentence({Kind::fit_missed, {nu_0}, {{"model", 0.31}, {"laboratory", 0.26}, {"margin", 0.03}}}),
+  EXPECT_EQ(sentence({Kind::value_missed, {ucs_60}, {{"model", 48.0e6}, {"laboratory", 51.4e6}}}),
+            "UCS at 60 degrees is 48.0 MPa in the model and 51.4 MPa in the table, 6.6 % too low.");
+  EXPECT_EQ(sentence({Kind::value_missed, {nu_0}, {{"model", 0.31}, {"laboratory", 0.26}}}),
             "nu at 0 degrees is 0.310 in the model and 0.260 in the table, 0.050 too high.");
 }
 
@@ -60,15 +58,14 @@ TEST(Words, WhatIsTheSameOfSeveralCellsIsOneSentence) {
                           "UCS at 30 degrees: no test on unseen packings has a usable peak (unstable)."));
 }
 
-TEST(Words, AValueThatIsNotResolvedSaysWhatWouldHelp) {
-  Finding f{Kind::value_unresolved, {ucs_60}, {{"margin", 0.226}, {"coarsest", 0.15}, {"specimens", 3.0}}};
-  EXPECT_EQ(sentence(f),
-            "UCS at 60 degrees: not resolved, an error of 23 % would pass as chance. With 3 more "
-            "specimens that is 15 %.");
-  f.numbers = {{"margin", 0.1504}, {"coarsest", 0.15}};
-  EXPECT_EQ(sentence(f),
-            "UCS at 60 degrees: not resolved, an error of 15.0 % would pass as chance. Packings of "
-            "this size differ too much; smaller grains help.");
+TEST(Words, AValueThatIsNotDecidedSaysWhatWouldHelp) {
+  Finding f{Kind::value_open, {ucs_60}, {{"bound", 0.226}, {"coarsest", 0.15}, {"specimens", 3.0}}};
+  EXPECT_EQ(
+      sentence(f),
+      "UCS at 60 degrees: not decided; an error of 23 % is not excluded. With 3 more specimens it would be "
+      "below 15 %.");
+  f.numbers.pop_back();
+  EXPECT_EQ(sentence(f), "UCS at 60 degrees: not decided; an error of 23 % is not excluded.");
 }
 
 TEST(Words, CausesOfTheMisfit) {
@@ -103,37 +100,80 @@ Comparison row(Property p, double theta, double laboratory, double model) {
   return c;
 }
 
+Finding counts(double values, double met, double missed, double open, double alone) {
+  return {Kind::values_judged,
+          {},
+          {{"values", values},
+           {"met", met},
+           {"missed", missed},
+           {"open", open},
+           {"alone", alone},
+           {"by_chance", 0.05 * values}}};
+}
+
 TEST(Words, TheVerdictOfARockThatIsMet) {
   Calibration c;
   c.fitted = c.verification = {row(Property::ucs, 0, 60e6, 61e6), row(Property::nu, 0, 0.25, 0.26)};
-  c.verdict.next.advice = Advice::use_model;
-  EXPECT_EQ(verdict_words(c),
-            "Calibrated. The model has nu within 0.010 and UCS within 1.7 % of the table on packings the fit "
-            "has not "
-            "seen. The data determine every fitted parameter. Next: run it (calibrated.toml).");
-  ParameterEstimate open;
-  open.symbol = "sigma_n,sj", open.next = {Remedy::test, {at_angle(Property::direct_tension, 0.0)}};
-  c.parameters = {open};
-  c.verdict.next = {Kind::next_step, {}, {}, {"sigma_n,sj"}, Advice::test_parameter};
-  EXPECT_THAT(verdict_words(c),
-              testing::EndsWith("The data do not determine sigma_n,sj. Next: test direct tension "
-                                "at 0 degrees."));
+  c.verdict.counts = counts(21, 20, 0, 1, 1);
+  c.verdict.good_for = {{Kind::tests_met, {{Property::ucs, 0.0}, {Property::ucs, 30.0}}, {{"of", 2.0}}},
+                        {Kind::tests_met, {{Property::nu, 0.0}}, {{"of", 2.0}}}};
+  c.verdict.not_good_for = {{Kind::tests_open, {{Property::nu, 60.0}}, {{"of", 2.0}}},
+                            {Kind::test_undetermined, {}, {}, {"strength under confinement", "mu", "mu_sj"}}};
+  EXPECT_EQ(
+      verdict_words(c),
+      "Calibrated. On packings that the fit has not seen: 20 of 21 values are met, 1 is not decided. Judged "
+      "each by itself, 1 value is off; chance alone gives about 1. The model has nu within 0.010 and UCS "
+      "within 1.7 % of the table.");
+  EXPECT_THAT(verdict_lines(c),
+              ElementsAre("Good for: UCS at every angle of the table; nu at 0 degrees.",
+                          "Not good for: nu at 60 degrees, not decided; strength under confinement: not "
+                          "determined by this table (mu and mu_sj).",
+                          "Next: nothing is needed."));
+}
+
+TEST(Words, TheVerdictOfATableOfOneValueWithoutBedding) {
+  Calibration c;
+  c.fitted = c.verification = {row(Property::ucs, 0, 60e6, 61e6)};
+  c.verdict.status = VerdictStatus::not_decided, c.verdict.counts = counts(1, 0, 0, 1, 0);
+  c.verdict.not_good_for = {{Kind::tests_open, {{Property::ucs, nan}}, {{"of", 1.0}}}};
+  c.verdict.next = {Kind::next_step, {}, {}, {"UCS"}, Advice::state_scatter};
+  EXPECT_EQ(
+      verdict_words(c),
+      "Not decided: the table states no scatter. On packings that the fit has not seen: none of 1 value is "
+      "met, 1 is not decided. The model has UCS within 1.7 % of the table.");
+  EXPECT_THAT(
+      verdict_lines(c),
+      ElementsAre("Good for: nothing that the table could show.", "Not good for: UCS, not decided.",
+                  "Next: state the scatter of the specimens in the columns UCS_sd and n of the table, or "
+                  "test three specimens of each."));
+}
+
+TEST(Words, TheVerdictOfModuliAlone) {
+  Calibration c;
+  c.fitted = c.verification = {row(Property::E, 0, 60e9, 61e9)};
+  c.verdict.counts = counts(1, 1, 0, 0, 0);
+  c.verdict.not_good_for = {{Kind::strengths_of_recipe}};
+  c.verdict.next.advice = Advice::calibrate_strengths;
+  EXPECT_THAT(verdict_words(c), testing::StartsWith("Calibrated in E and nu alone."));
+  EXPECT_EQ(verdict_lines(c)[1], "Not good for: strengths, which are those of the recipe, not of the rock.");
 }
 
 TEST(Words, TheVerdictOfATableThatIsOutOfReach) {
   Calibration c;
-  c.verdict.status = VerdictStatus::out_of_reach;
-  c.verdict.causes = {{Kind::farthest_value,
-                       {ucs_60},
-                       {{"model", 48e6}, {"laboratory", 51.4e6}, {"share", 0.59}},
-                       {"UCS"},
-                       Advice::check_value}};
+  c.verdict.status = VerdictStatus::out_of_reach, c.verdict.counts = counts(7, 4, 2, 1, 2);
+  c.verdict.not_good_for = {
+      {Kind::tests_missed, {ucs_60, {Property::ucs, 75.0}}, {{"miss", 0.114}, {"miss", 0.13}, {"of", 7.0}}}};
+  c.verdict.causes = {{Kind::farthest_value, {ucs_60}, {{"model", 48e6}, {"laboratory", 51.4e6}}}};
   c.verdict.next = {Kind::next_step, {ucs_60}, {}, {}, Advice::check_value};
   EXPECT_EQ(
       verdict_words(c),
-      "Out of reach. 59 % of the misfit is in UCS. Farthest off is UCS at 60 degrees, 48.0 MPa in the model "
-      "and "
-      "51.4 MPa in the table. Next: check UCS at 60 degrees in the table, or test more specimens there.");
+      "Out of reach. 4 of 7 values are met, 2 are missed, 1 is not decided. Judged each by itself, 2 values "
+      "are off; chance alone gives 0.4.");
+  EXPECT_EQ(verdict_lines(c)[1], "Not good for: UCS at 60 and 75 degrees, 11 to 13 % too high.");
+  EXPECT_EQ(
+      verdict_lines(c)[2],
+      "Why: Farthest off is UCS at 60 degrees, 48.0 MPa in the model and 51.4 MPa in the table. Next: check "
+      "UCS at 60 degrees in the table, or test more specimens there.");
 }
 
 /// One of every kind that the words know, with all numbers and names that any of them asks for.
@@ -144,7 +184,13 @@ Finding specimen_of(Kind kind) {
   if (two) f.cells.push_back({Property::brazilian, 60.0});
   for (const char* name : {"model",
                            "laboratory",
-                           "margin",
+                           "bound",
+                           "values",
+                           "met",
+                           "missed",
+                           "open",
+                           "alone",
+                           "by_chance",
                            "sd",
                            "packings",
                            "coarsest",

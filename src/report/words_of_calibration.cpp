@@ -1,8 +1,10 @@
 // What a calibration finds, in words.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/nan.hpp"
 #include "report/words.hpp"
 
 namespace phy::report {
@@ -96,19 +98,69 @@ std::string options_of_search(F f) {
   return list_text(options);
 }
 
-std::string unresolved(F f) {
+std::string value_open(F f) {
   const Property p = property_of(f);
-  const std::string limit = miss_text(p, f.number("coarsest"));
-  const auto finer = [&] {  // where the margin would read as the limit
-    const double m = f.number("margin");
-    return p == Property::nu ? fmt::format("{:.3f}", m) : fmt::format("{:.1f} %", 100.0 * m);
+  const std::string text =
+      fmt::format("not decided; an error of {} is not excluded.", miss_text(p, f.number("bound")));
+  return !f.has("specimens") ? text
+                             : text + fmt::format(" With {} it would be below {}.",
+                                                  counted_text(f.number("specimens"), "more specimen"),
+                                                  miss_text(p, f.number("coarsest")));
+}
+
+std::string values_judged(F f) {
+  const double met = f.number("met"), values = f.number("values");
+  std::string text = fmt::format("{} of {} {} met", met == 0.0 ? "none" : fmt::format("{:.0f}", met),
+                                 counted_text(values, "value"), met == 0.0 || values == 1.0 ? "is" : "are");
+  const auto add = [&](const char* name, const char* word) {
+    if (f.number(name) > 0.0)
+      text += fmt::format(", {:.0f} {} {}", f.number(name), f.number(name) == 1.0 ? "is" : "are", word);
   };
-  const std::string margin = miss_text(p, f.number("margin"));
-  return fmt::format(
-      "not resolved, an error of {} would pass as chance. {}", margin == limit ? finer() : margin,
-      f.has("specimens")
-          ? fmt::format("With {} that is {}.", counted_text(f.number("specimens"), "more specimen"), limit)
-          : "Packings of this size differ too much; smaller grains help.");
+  add("missed", "missed"), add("open", "not decided");
+  text += ".";
+  if (f.number("alone") > 0.0)
+    text +=
+        fmt::format(" Judged each by itself, {} {}; chance alone gives {}.",
+                    counted_text(f.number("alone"), "value"), f.number("alone") == 1.0 ? "is off" : "are off",
+                    f.number("by_chance") < 0.95 ? fmt::format("{:.1g}", f.number("by_chance"))
+                                                 : fmt::format("about {:.0f}", f.number("by_chance")));
+  return text;
+}
+
+/// "UCS at every angle of the table" where the finding has all its cells.
+std::string tests_text(F f) {
+  const Cell& c = f.cells.front();
+  const bool every = static_cast<double>(f.cells.size()) == f.number("of");
+  return every && f.cells.size() > 1 && std::isfinite(c.theta) ? test_text(c) + " at every angle of the table"
+                                                               : cells_text(f.cells);
+}
+
+/// "UCS at 30 and 75 degrees, 11 to 13 % too high"
+std::string tests_missed(F f) {
+  double least = infinity, most = 0.0;
+  bool low = false, high = false;
+  for (const NamedNumber& q : f.numbers) {
+    if (q.name != "miss") continue;
+    (q.value < 0.0 ? low : high) = true;
+    least = std::min(least, std::fabs(q.value)), most = std::max(most, std::fabs(q.value));
+  }
+  const bool absolute = measured(property_of(f)).absolute;
+  const double unit = absolute ? 1.0 : 100.0;
+  return fmt::format("{}, {}{} {}.", tests_text(f),
+                     range_text(unit * least, unit * most,
+                                absolute        ? "{:.2f}"
+                                : most < 0.0995 ? "{:.1f}"
+                                                : "{:.0f}"),
+                     absolute ? "" : " %",
+                     !high  ? "too low"
+                     : !low ? "too high"
+                            : "off");
+}
+
+std::string test_undetermined(F f) {
+  const std::vector<std::string> open(f.names.begin() + 1, f.names.end());
+  return f.names.front() + ": not determined by this table" +
+         (open.empty() ? "" : " (" + list_text(open) + ")") + ".";
 }
 
 std::string toughness_grains(F f) {
@@ -128,20 +180,20 @@ std::string unsettled(const std::string& why) {
 }
 
 const std::vector<Wording> value_words = {
-    {Kind::fit_missed,
-     [](F f) { return fmt::format("{} is {}, {}.", cells_text(f.cells), both(f), miss_text(f)); }},
+    {Kind::values_judged, values_judged},
     {Kind::value_missed,
+     [](F f) { return fmt::format("{} is {}, {}.", cells_text(f.cells), both(f), miss_text(f)); }},
+    {Kind::scatter_unstated,
      [](F f) {
-       return fmt::format("On unseen packings {} is {}, {}.", cells_text(f.cells), both(f), miss_text(f));
+       return fmt::format("The table states no scatter of {}: an error cannot be told from chance.",
+                          list_text(f.names));
      }},
-    {Kind::packings_differ,
-     [](F f) {
-       const Property p = property_of(f);
-       const double unit = p == Property::nu ? 1.0 : f.number("model");
-       return fmt::format(
-           "On unseen packings {} is {}, {}; the fit meets it. Packings of this size differ by {}.",
-           cells_text(f.cells), both(f), miss_text(f), miss_text(p, f.number("sd") / unit));
-     }},
+    {Kind::tests_met, [](F f) { return tests_text(f) + "."; }},
+    {Kind::tests_missed, tests_missed},
+    {Kind::tests_open, [](F f) { return tests_text(f) + ", not decided."; }},
+    {Kind::tests_unanswered, [](F f) { return tests_text(f) + ", without an answer."; }},
+    {Kind::test_determined, [](F f) { return f.names.front() + ", not in the table."; }},
+    {Kind::test_undetermined, test_undetermined},
     {Kind::fit_unanswered,
      [](F) -> std::string {
        return "the model carries no load (`phyllite elastic` with calibrated.toml reports why).";
@@ -154,7 +206,7 @@ const std::vector<Wording> value_words = {
      true},
     {Kind::search_unanswered,
      [](F) -> std::string { return "no test has a usable peak, so strengths were not fitted."; }, true},
-    {Kind::value_unresolved, unresolved, true},
+    {Kind::value_open, value_open, true},
     {Kind::strengths_missed,
      [](F f) {
        return fmt::format("The strengths as a whole are {} off; the tables show the nearest model found.",
@@ -222,7 +274,7 @@ const std::vector<Wording> cause_words = {
     {Kind::farthest_value,
      [](F f) { return fmt::format("Farthest off is {}, {}.", cells_text(f.cells), both(f)); }},
     {Kind::strengths_of_recipe,
-     [](F) -> std::string { return "The strengths are those of the recipe, not of the rock."; }},
+     [](F) -> std::string { return "strengths, which are those of the recipe, not of the rock."; }},
     {Kind::gap_in_ucs,
      [](F f) {
        return fmt::format("No UCS was measured between {:g} and {:g} degrees.", f.number("from"),
@@ -457,10 +509,19 @@ struct AdviceWording {
 const std::vector<AdviceWording> advice_words = {
     {Advice::see_findings, "see the findings"},
     {Advice::resume, "the same command with --resume"},
-    {Advice::use_model, "run it (calibrated.toml)"},
     {Advice::calibrate_strengths, "calibrate with strengths"},
     {Advice::test_parameter, nullptr, [](F of) { return "determine " + of.names.front(); }},
     {Advice::fill_gap, "test specimens in that gap"},
+    {Advice::state_scatter, nullptr,
+     [](F of) {
+       std::vector<std::string> columns;
+       for (const std::string& name : of.names) columns.push_back(name + "_sd");
+       columns.emplace_back("n");
+       return fmt::format(
+           "state the scatter of the specimens in the columns {} of the table, or test three specimens of "
+           "each",
+           list_text(columns));
+     }},
     {Advice::more_specimens, nullptr, [](F of) { return "test more specimens of " + cells_text(of.cells); }},
     {Advice::smaller_grains,
      "take smaller grains in the rock's recipe (packing.radius_min, packing.radius_max)"},

@@ -1,5 +1,6 @@
 // The verdict of a calibration, in words.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,66 +26,61 @@ std::string largest_misses(const Calibration& c) {
   return list_text(items);
 }
 
-/// Which parameters of a model that meets its table are known.
-std::string known(const Calibration& c) {
-  if (c.method == CalibrationMethod::sequence) return " A sequence does not report what its data leave open.";
-  if (const std::string open = open_parameters(c); !open.empty())
-    return fmt::format(" The data do not determine {}.", open);
-  const bool all = std::all_of(c.parameters.begin(), c.parameters.end(),
-                               [](const ParameterEstimate& e) { return e.has_interval(); });
-  return all ? " The data determine every fitted parameter." : "";
+/// Why a table decides nothing, from the step that would help.
+const char* why_open(const Verdict& v) {
+  return v.next.advice == Advice::state_scatter    ? "the table states no scatter"
+         : v.next.advice == Advice::smaller_grains ? "packings of this grain size differ too much"
+                                                   : "too few specimens";
 }
 
-/// "73 % of the misfit is in BTS.", then the cause; causes without a share stand alone.
-std::string cause_text(const Finding& cause) {
-  std::string text;
-  if (cause.has("share"))
-    text =
-        fmt::format(" {} in {}.",
-                    cause.number("share") > 0.995 ? "The misfit is"
-                                                  : percent_text(cause.number("share")) + " of the misfit is",
-                    list_text(cause.names));
-  return text + " " + sentence(cause);
+bool strengths_are_of_recipe(const Verdict& v) {
+  return first_of(v.not_good_for, FindingKind::strengths_of_recipe) != nullptr;
 }
 
-std::string first_words(const Calibration& c) {
-  std::size_t unresolved = 0;
-  for (const Finding& f : c.verdict.findings) unresolved += f.kind == FindingKind::value_unresolved ? 1 : 0;
-  const std::string where = c.verification.empty() ? "" : " on packings the fit has not seen";
+std::string status_words(const Calibration& c) {
+  const std::string what = strengths_are_of_recipe(c.verdict) ? " in E and nu alone" : "";
   switch (c.verdict.status) {
-    case VerdictStatus::calibrated:
-      return fmt::format("Calibrated. The model has {} of the table{}.{}", largest_misses(c), where,
-                         known(c));
-    case VerdictStatus::not_resolved:
-      return fmt::format(
-          "Not resolved. The model has {} of the table, but for {} of {} too few specimens or too "
-          "different packings hide errors that matter.",
-          largest_misses(c), unresolved, counted_text(static_cast<double>(c.fitted.size()), "value"));
-    case VerdictStatus::calibrated_except:
-      return unresolved == 0 ? "Calibrated, with exceptions."
-                             : fmt::format("Calibrated, with exceptions; not resolved: {} of {} values.",
-                                           unresolved, c.fitted.size());
+    case VerdictStatus::calibrated: return "Calibrated" + what + ".";
+    case VerdictStatus::calibrated_except: return "Calibrated" + what + ", with exceptions.";
+    case VerdictStatus::not_decided: return fmt::format("Not decided: {}.", why_open(c.verdict));
     case VerdictStatus::out_of_reach: return "Out of reach.";
     case VerdictStatus::interrupted: break;
   }
   return "Interrupted. Finished tests are in the store.";
 }
 
+/// Of findings as items of a line.
+std::string items_text(const std::vector<Finding>& findings, const char* none) {
+  std::vector<std::string> items;
+  for (std::string& text : sentences(findings)) text.pop_back(), items.push_back(std::move(text));
+  return items.empty() ? none : fmt::format("{}", fmt::join(items, "; "));
+}
+
 }  // namespace
 
 std::string verdict_words(const Calibration& c) {
-  std::string text = first_words(c);
-  for (const Finding& cause : c.verdict.causes) text += cause_text(cause);
-  const bool missed =
-      c.verdict.status == VerdictStatus::calibrated_except || c.verdict.status == VerdictStatus::out_of_reach;
-  if (missed && c.verdict.causes.empty())
-    for (const std::string& line : sentences(c.verdict.findings)) text += " " + line;
-  const std::string next = next_words(c);
-  return next.empty() ? text : text + " Next: " + next + ".";
+  const Verdict& v = c.verdict;
+  std::string text = status_words(c);
+  if (v.status == VerdictStatus::interrupted || !v.counts.has("values")) return text;
+  if (!c.verification.empty()) text += " On packings that the fit has not seen:";
+  text += " " + sentence(v.counts);
+  if (v.status == VerdictStatus::calibrated || v.status == VerdictStatus::not_decided)
+    text += fmt::format(" The model has {} of the table.", largest_misses(c));
+  return text;
+}
+
+std::vector<std::string> verdict_lines(const Calibration& c) {
+  if (c.verdict.status == VerdictStatus::interrupted) return {"Next: " + next_words(c) + "."};
+  std::string why;
+  for (const Finding& cause : c.verdict.causes) why += sentence(cause) + " ";
+  return {"Good for: " + items_text(c.verdict.good_for, "nothing that the table could show") + ".",
+          "Not good for: " + items_text(c.verdict.not_good_for, "nothing that the table speaks of") + ".",
+          (why.empty() ? "" : "Why: " + why) + "Next: " + next_words(c) + "."};
 }
 
 std::string next_words(const Calibration& c) {
   const Finding& next = c.verdict.next;
+  if (next.advice == Advice::none) return "nothing is needed";
   if (next.advice == Advice::test_parameter)
     for (const ParameterEstimate& e : c.parameters)
       if (e.symbol == next.names.front()) return "test " + text_of(e.next);

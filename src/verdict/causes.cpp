@@ -146,12 +146,9 @@ Finding step(Advice advice) { return {FindingKind::next_step, {}, {}, {}, advice
 /// What remains open of a model that meets its table, and which test would close most of it.
 void explain_met(const View& v, Verdict& verdict) {
   const auto gap = gap_in_ucs(v), cut = search_short(v.of);
-  if (v.moduli_alone()) verdict.causes.push_back({FindingKind::strengths_of_recipe});
   for (const auto& cause : {gap, cut})
     if (cause) verdict.causes.push_back(*cause);
-  verdict.next = v.moduli_alone() ? step(Advice::calibrate_strengths)
-                 : gap            ? step(*gap)
-                                  : step(Advice::use_model);
+  verdict.next = v.moduli_alone() ? step(Advice::calibrate_strengths) : gap ? step(*gap) : step(Advice::none);
   for (const ParameterEstimate& e : v.of.parameters)
     if (e.open() && e.next.remedy != Remedy::none) {
       verdict.next = {FindingKind::next_step, {}, {}, {e.symbol}, Advice::test_parameter};
@@ -159,16 +156,20 @@ void explain_met(const View& v, Verdict& verdict) {
     }
 }
 
-/// A table that is met where misses that matter would pass for chance.
-void explain_unresolved(const View& v, Verdict& verdict) {
-  Finding next{FindingKind::next_step, {}, {}, {}, Advice::more_specimens};
-  for (const Comparison& c : v.rows)
-    if (c.answered() && !misses(c) && unresolved(c)) {
-      next.cells.push_back(cell_of(c.target));
-      if (!specimens_missing(c)) next.advice = Advice::smaller_grains;
-    }
-  if (v.moduli_alone()) verdict.causes.push_back({FindingKind::strengths_of_recipe});
+/// A table that leaves values open: state the scatter; else more specimens, unless packings alone hide every
+/// answer.
+void explain_open(const View& v, Verdict& verdict) {
   if (const auto cut = search_short(v.of)) verdict.causes.push_back(*cut);
+  if (const Finding* unstated = first_of(verdict.findings, FindingKind::scatter_unstated)) {
+    verdict.next = step(*unstated);
+    return;
+  }
+  Finding next{FindingKind::next_step, {}, {}, {}, Advice::smaller_grains};
+  for (const Finding& f : verdict.findings) {
+    if (f.kind != FindingKind::value_open) continue;
+    next.cells.push_back(f.cells.front());
+    if (f.advice == Advice::more_specimens) next.advice = f.advice;
+  }
   verdict.next = next;
 }
 
@@ -191,7 +192,6 @@ void explain_missed(const View& v, Verdict& verdict) {
     causes.push_back(*cut);
     if (parts.empty() || parts.front() != Part::moduli) verdict.next = step(*cut);  // which no search changes
   }
-  if (v.moduli_alone()) causes.push_back({FindingKind::strengths_of_recipe});
 }
 
 }  // namespace
@@ -200,10 +200,11 @@ void explain(Calibration& c) {
   Verdict verdict = c.verdict;
   verdict.causes.clear();
   const View view(c);
+  state_uses(c, verdict);
   switch (verdict.status) {
     case VerdictStatus::interrupted: verdict.next = step(Advice::resume); break;
     case VerdictStatus::calibrated: explain_met(view, verdict); break;
-    case VerdictStatus::not_resolved: explain_unresolved(view, verdict); break;
+    case VerdictStatus::not_decided: explain_open(view, verdict); break;
     case VerdictStatus::calibrated_except:
     case VerdictStatus::out_of_reach: explain_missed(view, verdict); break;
   }

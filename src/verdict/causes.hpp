@@ -14,8 +14,11 @@
 
 namespace phy::verdict {
 
-/// Sets causes and next step of a verdict whose status and findings are known.
+/// Sets uses, causes and next step of a verdict whose status and findings are known.
 void explain(Calibration& calibration);
+
+/// What the model is good for and what not.
+void state_uses(const Calibration& calibration, Verdict& verdict);
 
 /// A rule: what is wrong with its part of the table, with the advice; nothing: it does not apply.
 using CauseRule = std::optional<Finding>(const View&);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace phy::verdict {
@@ -159,7 +160,6 @@ TEST(Cause, ModuliAsAWhole) {
   Calibration c = ended({cells(Property::E, table, low, 0.1)});
   ASSERT_EQ(cause(c).kind, Kind::moduli_scaled);
   EXPECT_NEAR(cause(c).number("factor"), 0.80, 0.01);
-  EXPECT_TRUE(has(c, Kind::strengths_of_recipe));
   EXPECT_EQ(c.verdict.next.advice, Advice::check_E_is);
   c.method = CalibrationMethod::sequence;
   EXPECT_EQ(verdict_of(c).next.advice, Advice::without_sequence);
@@ -172,8 +172,36 @@ TEST(Cause, ModuliAsAWhole) {
 TEST(Cause, StrengthsThatNobodySoughtAreNotCalibrated) {
   const std::vector<double> E = {20, 21, 23, 26, 30, 36, 40};
   const Calibration c = ended({cells(Property::E, E, E)}, VerdictStatus::calibrated);
-  EXPECT_TRUE(has(c, Kind::strengths_of_recipe));
+  EXPECT_NE(first_of(c.verdict.not_good_for, Kind::strengths_of_recipe), nullptr);
   EXPECT_EQ(c.verdict.next.advice, Advice::calibrate_strengths);
+}
+
+TEST(Uses, TestsOfTheTableAndThoseThatItsParametersDecide) {
+  Calibration c =
+      ended({cells(Property::ucs, {60, 50, 40, 62}, {61, 50, 40, 90})}, VerdictStatus::calibrated_except);
+  const Finding* met = first_of(c.verdict.good_for, Kind::tests_met);
+  ASSERT_NE(met, nullptr);
+  EXPECT_EQ(met->cells.size(), 3U);
+  EXPECT_EQ(met->number("of"), 4.0);
+  const Finding* missed = first_of(c.verdict.not_good_for, Kind::tests_missed);
+  ASSERT_NE(missed, nullptr);
+  EXPECT_EQ(missed->cells, (std::vector<Cell>{{Property::ucs, 90.0}}));
+  ParameterEstimate mu;
+  mu.symbol = "mu";
+  c.parameters = {mu};
+  const auto confined = [](const std::vector<Finding>& list) {
+    return std::any_of(list.begin(), list.end(), [](const Finding& f) {
+      return !f.names.empty() && f.names.front() == measured(Property::confined).test_name;
+    });
+  };
+  EXPECT_TRUE(confined(verdict_of(c).not_good_for));
+  c.parameters[0].determined = true;
+  EXPECT_FALSE(confined(verdict_of(c).not_good_for));
+  EXPECT_FALSE(confined(verdict_of(c).good_for)) << "UCS is missed";
+  Calibration good =
+      ended({cells(Property::ucs, {60, 50, 40, 62}, {61, 50, 40, 62})}, VerdictStatus::calibrated);
+  good.parameters = c.parameters;
+  EXPECT_TRUE(confined(verdict_of(good).good_for));
 }
 
 TEST(Cause, FlatJointsAreAdvisedWhereTensionIsTooHighAndNobodyHasComparedThem) {
@@ -320,7 +348,7 @@ TEST(Cause, WhatRemainsOpenOfARockThatIsMetIsTheNextTest) {
   EXPECT_EQ(verdict_of(c).next.advice, Advice::test_parameter);
   EXPECT_EQ(verdict_of(c).next.names, std::vector<std::string>{"sigma_n,sj"});
   c.parameters = {known};
-  EXPECT_EQ(verdict_of(c).next.advice, Advice::use_model);
+  EXPECT_EQ(verdict_of(c).next.advice, Advice::none);
 }
 
 TEST(Cause, ATableTooCoarseInTheta) {
@@ -333,15 +361,17 @@ TEST(Cause, ATableTooCoarseInTheta) {
                   .verdict.causes.empty());
 }
 
-TEST(Cause, ATableThatResolvesNothingIsToldWhereAndWhatHelps) {
-  const auto coarse = [](double scatter, double model) {
-    Comparison row = cell(Property::ucs, 30.0, 100e6, model, scatter);
-    row.target.sd = 12e6, row.target.n = 2, row.target.degrees = 5;
-    return ended({{row, cell(Property::ucs, 90.0, 120e6, 121e6)}}, VerdictStatus::not_resolved).verdict.next;
-  };
-  EXPECT_EQ(coarse(0.02, 103e6).advice, Advice::more_specimens);
-  EXPECT_EQ(coarse(0.02, 103e6).cells, (std::vector<Cell>{{Property::ucs, 30.0}}));
-  EXPECT_EQ(coarse(0.30, 103e6).advice, Advice::smaller_grains);
+TEST(Cause, ATableThatDecidesNothingIsToldWhereAndWhatHelps) {
+  Calibration c;
+  c.verdict.status = VerdictStatus::not_decided;
+  c.fitted = c.verification = cells(Property::ucs, {60, 50, 40, 62}, {61, 50, 40, 62});
+  c.verdict.findings = {{Kind::value_open, {{Property::ucs, 30.0}}, {}, {}, Advice::smaller_grains}};
+  EXPECT_EQ(verdict_of(c).next.advice, Advice::smaller_grains);
+  c.verdict.findings.push_back({Kind::value_open, {{Property::ucs, 60.0}}, {}, {}, Advice::more_specimens});
+  EXPECT_EQ(verdict_of(c).next.advice, Advice::more_specimens);
+  EXPECT_EQ(verdict_of(c).next.cells, (std::vector<Cell>{{Property::ucs, 30.0}, {Property::ucs, 60.0}}));
+  c.verdict.findings.push_back({Kind::scatter_unstated, {}, {}, {"UCS"}, Advice::state_scatter});
+  EXPECT_EQ(verdict_of(c).next.advice, Advice::state_scatter);
 }
 
 TEST(Cause, AnInterruptedOneSaysHowToGoOn) {

@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verdict/cells.hpp"
 #include "verdict/margin.hpp"
 
 namespace phy::verdict {
 namespace {
 
-constexpr double chance_limit = 2.0;  // in units of what the scatter of laboratory and packings explains
-constexpr double rms_limit = 0.20;    // of the strengths, whatever the scatter
-constexpr double near_edge = 0.01;    // of a logarithm
-
-/// "model", "laboratory" and "margin" of a row.
-Finding of_row(FindingKind kind, const Comparison& c) {
-  return {
-      kind, {cell_of(c.target)}, {{"model", c.mean}, {"laboratory", c.target.mean}, {"margin", margin(c)}}};
-}
+constexpr double enough_met = 0.9;     // of the values
+constexpr double chance_limit = 2.0;   // in units of what the scatter of laboratory and packings explains
+constexpr double near_edge = 0.01;     // of a logarithm
+constexpr double chance_alone = 0.05;  // that a single value of a true model is called missed
 
 double sd_of_mean(const Comparison& c) {
   return std::isfinite(c.sd) ? c.sd / std::sqrt(static_cast<double>(c.n_packings)) : 0.0;
@@ -28,39 +24,75 @@ void report_edges(const std::vector<ParameterEstimate>& parameters, std::vector<
       findings.push_back({FindingKind::parameter_at_edge, {}, {{"value", e.value}}, {e.symbol}});
 }
 
-/// Moduli that the fit itself misses, and why: what the table asks of any body of its kind; what nu had to
-/// give for E.
-void judge_fit(const Results& r, std::vector<Finding>& findings) {
-  report_edges(r.parameters, findings);
-  bool any_missed = false, nu_missed = false;
-  for (const Comparison& c : r.moduli) {
-    if (!c.answered()) {
-      findings.push_back({FindingKind::fit_unanswered, {cell_of(c.target)}});
-    } else if (misses(c)) {
-      any_missed = true, nu_missed = nu_missed || c.target.property == Property::nu;
-      findings.push_back(of_row(FindingKind::fit_missed, c));
-    }
+/// Values without an answer: of the fit, on unseen packings.
+void report_unanswered(const Results& r, std::vector<Finding>& findings) {
+  for (const Comparison& c : r.moduli)
+    if (!c.answered()) findings.push_back({FindingKind::fit_unanswered, {cell_of(c.target)}});
+  for (const Comparison& c : r.verification) {
+    if (c.answered()) continue;
+    const Comparison* fit = row_of(r.moduli, c.target);
+    if (is_strength(c.target.property))
+      findings.push_back({FindingKind::no_usable_peak, {cell_of(c.target)}, {}, {c.missing}});
+    else if (fit != nullptr && fit->answered())
+      findings.push_back({FindingKind::value_unanswered, {cell_of(c.target)}});
   }
-  if (!any_missed) return;
+}
+
+/// Why moduli are not met: what the table asks of any body of its kind; what nu had to give for an E that the
+/// table can tell from another.
+void report_limits(const Results& r, const std::vector<JudgedCell>& cells, std::vector<Finding>& findings) {
+  bool moduli_met = true, nu_missed = false;
+  double E_error = 0.0;
+  for (const JudgedCell& c : cells) {
+    const Property p = c.row.target.property;
+    moduli_met = moduli_met && (is_strength(p) || c.outcome == Outcome::met);
+    nu_missed = nu_missed || (p == Property::nu && c.outcome == Outcome::missed);
+    if (p == Property::E) E_error = std::max({E_error, tolerance(p), 2.0 * c.error});
+  }
+  if (moduli_met) return;
   findings.insert(findings.end(), r.limits_of_table.begin(), r.limits_of_table.end());
-  if (r.E_before_nu_gave_way && nu_missed)
+  if (nu_missed && r.E_before_nu_gave_way && *r.E_before_nu_gave_way > E_error)
     findings.push_back({FindingKind::nu_gave_way, {}, {{"E_before", *r.E_before_nu_gave_way}}});
 }
 
-/// E and nu on unseen packings that miss the table by more than they may, where the fit itself does not: then
-/// it is packings of this size that differ.
-void judge_moduli(const Results& r, Verdict& v) {
-  for (std::size_t i = 0; i < std::min(r.verification.size(), r.moduli.size()); ++i) {
-    const Comparison& c = r.verification[i];
-    if (!c.answered() && r.moduli[i].answered()) {
-      v.status = VerdictStatus::out_of_reach;
-      v.findings.push_back({FindingKind::value_unanswered, {cell_of(c.target)}});
-    }
-    if (!misses(c) || misses(r.moduli[i])) continue;  // the fit has reported its own limits
-    Finding f = of_row(FindingKind::packings_differ, c);
-    f.numbers.insert(f.numbers.end(), {{"sd", c.sd}, {"packings", static_cast<double>(c.n_packings)}});
-    v.findings.push_back(f);
+void report_missed(const std::vector<JudgedCell>& cells, std::vector<Finding>& findings) {
+  for (const JudgedCell& c : cells)
+    if (c.outcome == Outcome::missed)
+      findings.push_back({FindingKind::value_missed,
+                          {cell_of(c.row.target)},
+                          {{"model", c.row.mean}, {"laboratory", c.row.target.mean}}});
+}
+
+/// What the data do not exclude of a value, and what would decide it: more specimens; smaller grains where
+/// packings alone hide the answer; nothing that can be promised where the difference itself is large.
+void report_open(const std::vector<JudgedCell>& cells, std::vector<Finding>& findings) {
+  for (const JudgedCell& c : cells) {
+    if (c.outcome != Outcome::open) continue;
+    const double limit = coarsest(c.row.target.property);
+    Finding f{FindingKind::value_open,
+              {cell_of(c.row.target)},
+              {{"bound", c.bound}, {"coarsest", limit}},
+              {},
+              Advice::more_specimens};
+    if (const std::optional<int> more = specimens_missing(c))
+      f.numbers.push_back({"specimens", static_cast<double>(*more)});
+    else if (2.0 * c.of_packings > limit)
+      f.advice = Advice::smaller_grains;
+    findings.push_back(f);
   }
+}
+
+/// Only the usual scatter leaves these values open: the table states none.
+std::optional<Finding> scatter_unstated(const std::vector<JudgedCell>& cells) {
+  Finding f{FindingKind::scatter_unstated, {}, {}, {}, Advice::state_scatter};
+  for (const JudgedCell& c : cells) {
+    if (c.outcome != Outcome::open) continue;
+    if (!c.row.target.sd_assumed) return {};
+    if (const std::string name = to_string(c.row.target.property);
+        std::find(f.names.begin(), f.names.end(), name) == f.names.end())
+      f.names.push_back(name);
+  }
+  return f.names.empty() ? std::nullopt : std::optional(f);
 }
 
 /// UCS over tension at each angle that has both and where they differ: the laboratory's and, where the
@@ -76,74 +108,81 @@ void report_ratios(const std::vector<Comparison>& verification, std::vector<Find
                             {{"model", u.mean / t.mean}, {"laboratory", u.target.mean / t.target.mean}}});
 }
 
-/// Strengths on unseen packings that miss the table by more than their margin, and how far off all of them
-/// are together.
-void judge_strength(const std::vector<Comparison>& verification, Verdict& v) {
+/// Are the strengths as a whole out of reach? With how far off they are.
+bool strengths_out_of_reach(const std::vector<Comparison>& verification, std::vector<Finding>& findings) {
   double squares = 0.0, scaled = 0.0;  // of the errors; of the errors over what chance explains
   int n = 0;
   for (const Comparison& c : verification) {
-    if (!is_strength(c.target.property)) continue;
-    if (!c.answered()) {
-      v.status = VerdictStatus::out_of_reach;
-      v.findings.push_back({FindingKind::no_usable_peak, {cell_of(c.target)}, {}, {c.missing}});
-      continue;
-    }
+    if (!is_strength(c.target.property) || !c.answered()) continue;
     const double noise = std::hypot(c.target.normal_error(), sd_of_mean(c)) / c.target.mean;
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
-    if (misses(c)) v.findings.push_back(of_row(FindingKind::value_missed, c));
   }
   const double error = n > 0 ? std::sqrt(squares / n) : 0.0, beyond = n > 0 ? std::sqrt(scaled / n) : 0.0;
-  if (error > rms_limit || (error > strength_limit && beyond > chance_limit)) {
-    v.status = VerdictStatus::out_of_reach;
-    v.findings.push_back({FindingKind::strengths_missed, {}, {{"rms", error}}});
-    report_ratios(verification, v.findings);
-  }
+  if (error <= strength_limit || beyond <= chance_limit) return false;
+  findings.push_back({FindingKind::strengths_missed, {}, {{"rms", error}}});
+  report_ratios(verification, findings);
+  return true;
 }
 
-/// Rows that are met only because they are too coarse, with what they resolve and what would help. True if
-/// there are any.
-bool report_unresolved(const std::vector<Comparison>& verification, std::vector<Finding>& findings) {
-  bool any = false;
-  for (const Comparison& c : verification) {
-    if (!c.answered() || misses(c) || !unresolved(c)) continue;
-    any = true;
-    Finding f{FindingKind::value_unresolved,
-              {cell_of(c.target)},
-              {{"margin", margin(c)}, {"coarsest", coarsest(c.target.property)}},
-              {},
-              Advice::smaller_grains};
-    if (const std::optional<int> more = specimens_missing(c))
-      f.numbers.push_back({"specimens", static_cast<double>(*more)}), f.advice = Advice::more_specimens;
-    findings.push_back(f);
-  }
-  return any;
+Finding counted(const std::vector<JudgedCell>& cells) {
+  const auto n = [&](Outcome outcome) {
+    return static_cast<double>(
+        std::count_if(cells.begin(), cells.end(), [&](const JudgedCell& c) { return c.outcome == outcome; }));
+  };
+  const auto alone = std::count_if(cells.begin(), cells.end(), [](const JudgedCell& c) { return c.alone; });
+  const auto values = static_cast<double>(cells.size());
+  return {FindingKind::values_judged,
+          {},
+          {{"values", values},
+           {"met", n(Outcome::met)},
+           {"missed", n(Outcome::missed)},
+           {"open", n(Outcome::open)},
+           {"alone", static_cast<double>(alone)},
+           {"by_chance", chance_alone * values}}};
+}
+
+bool moduli_unanswered(const std::vector<Comparison>& moduli) {
+  return std::any_of(moduli.begin(), moduli.end(), [](const Comparison& c) { return !c.answered(); });
+}
+
+bool modulus_out_of_reach(const JudgedCell& c, const Comparison* fit) {
+  return c.outcome == Outcome::missed && c.row.target.property == Property::E &&
+         std::fabs(c.row.error()) > modulus_limit &&
+         (fit == nullptr || std::fabs(fit->error()) > modulus_limit);
 }
 
 }  // namespace
 
 bool moduli_out_of_reach(const std::vector<Comparison>& moduli) {
-  return std::any_of(moduli.begin(), moduli.end(), [](const Comparison& c) {
-    return !c.answered() ||
-           (misses(c) && c.target.property == Property::E && std::fabs(c.error()) > modulus_limit);
+  const std::vector<JudgedCell> cells = judge_cells(moduli);
+  return std::any_of(cells.begin(), cells.end(), [](const JudgedCell& c) {
+    return c.outcome == Outcome::unanswered || modulus_out_of_reach(c, nullptr);
   });
 }
 
-Verdict judge(Results r) {
-  for (Comparison& c : r.moduli)  // what unseen packings meet is met
-    if (const Comparison* unseen = row_of(r.verification, c.target);
-        unseen != nullptr && unseen->answered() && !misses(*unseen))
-      c = *unseen;
+Verdict judge(const Results& r) {
+  const std::vector<JudgedCell> cells = judge_cells(r.verification.empty() ? r.moduli : r.verification);
   Verdict v;
-  judge_fit(r, v.findings);
+  v.counts = counted(cells);
+  report_edges(r.parameters, v.findings);
+  report_unanswered(r, v.findings);
   v.findings.insert(v.findings.end(), r.of_search.begin(), r.of_search.end());
-  if (!r.of_search.empty()) v.status = VerdictStatus::out_of_reach;
-  judge_moduli(r, v);
-  judge_strength(r.verification, v);
-  if (moduli_out_of_reach(r.moduli)) v.status = VerdictStatus::out_of_reach;
-  if (v.status == VerdictStatus::calibrated && !v.findings.empty())
+  report_missed(cells, v.findings);
+  report_limits(r, cells, v.findings);
+  const bool strengths = strengths_out_of_reach(r.verification, v.findings);
+  report_open(cells, v.findings);
+  const auto any = [&](auto is) { return std::any_of(cells.begin(), cells.end(), is); };
+  const double met = v.counts.number("met"), values = v.counts.number("values");
+  if (strengths || !r.of_search.empty() || moduli_unanswered(r.moduli) ||
+      any([](const JudgedCell& c) { return c.outcome == Outcome::unanswered; }) ||
+      any([&](const JudgedCell& c) { return modulus_out_of_reach(c, row_of(r.moduli, c.row.target)); }))
+    v.status = VerdictStatus::out_of_reach;
+  else if (v.counts.number("missed") > 0.0)
     v.status = VerdictStatus::calibrated_except;
-  if (report_unresolved(r.verification, v.findings) && v.status == VerdictStatus::calibrated)
-    v.status = VerdictStatus::not_resolved;
+  else if (met < enough_met * values)
+    v.status = VerdictStatus::not_decided;
+  if (const auto unstated = scatter_unstated(cells); unstated && v.status == VerdictStatus::not_decided)
+    v.findings.insert(v.findings.begin(), *unstated);
   return v;
 }
 

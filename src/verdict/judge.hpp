@@ -1,10 +1,9 @@
 // The verdict: does the model have the values of the table, on packings that it was not fitted to?
 //
-// Every value is judged by itself (margin.hpp): within its margin or not. Without a miss the model is
-// calibrated, if every margin is fine enough to tell; else the table does not resolve the question, and the
-// verdict says what a row would let pass and how many specimens more would change that. With misses it is
-// calibrated except for these. Out of reach: E misses by more than 6 % in the fit, or the strengths together
-// by more than 10 % and twice what chance explains, or by 20 %, or something has no answer at all.
+// All values are judged together (cells.hpp). Calibrated: none is missed and nine of ten are met. Not
+// decided: none is missed, but too many are open; the findings say how many specimens would change that.
+// Calibrated except: some are missed. Out of reach: an E is missed by more than 6 %, in the fit as well; or
+// the strengths together by more than 10 % and twice what chance explains; or something has no answer at all.
 #pragma once
 #include <optional>
 #include <vector>
@@ -13,7 +12,7 @@
 
 namespace phy::verdict {
 
-/// Is a fit of the moduli out of reach: an E off by more than 6 % and its margin, or a value without answer?
+/// Is a fit of the moduli out of reach: an E missed by more than 6 %, or a value without answer?
 bool moduli_out_of_reach(const std::vector<Comparison>& moduli);
 
 /// What is to be judged.
@@ -28,7 +27,7 @@ struct Results {
 };
 
 /// Status and findings; causes and next step: explain(), when all of a calibration is known.
-Verdict judge(Results results);
+Verdict judge(const Results& results);
 
 /// Where a model is out of reach the interval of a row may leave out what was measured: it says what the
 /// model can do, not where the rock is. Takes such intervals away; true: there were some.

@@ -8,7 +8,6 @@
 namespace phy::verdict {
 namespace {
 
-constexpr int most_specimens = 100;
 constexpr double many_degrees = 1e6;  // of freedom: normal
 
 double unit_of(const Target& t) { return measured(t.property).absolute ? 1.0 : t.mean; }
@@ -44,15 +43,5 @@ bool wants_packings(const std::vector<Comparison>& verification) {
 }
 
 bool unresolved(const Comparison& row) { return margin(row) > coarsest(row.target.property); }
-
-std::optional<int> specimens_missing(const Comparison& row) {
-  Comparison finer = row;
-  Target& t = finer.target;
-  for (int more = 0; t.n < most_specimens; ++more, ++t.n) {
-    if (!unresolved(finer)) return more;
-    if (t.degrees > 0) ++t.degrees;
-  }
-  return std::nullopt;
-}
 
 }  // namespace phy::verdict

@@ -1,12 +1,8 @@
-// By how much the model may be off a value of the table: fixed tolerances, what chance explains, and from
-// where on chance explains so much that nothing can be said.
-//
-// A miss passes within the tolerance, or within the 95 % interval of the difference between two means: that
-// of the laboratory's specimens and that of the model's packings (Welch 1947: Student's t, with degrees of
-// freedom by Satterthwaite 1946). A margin wider than coarsest() passes misses that matter: such a row tells
-// nothing, whether it is met or not.
+// Tolerances, the widest errors that matter, and the margin of a value judged by itself: the tolerance, or
+// the 95 % interval of the difference between the laboratory's mean and the model's (Welch 1947: Student's t,
+// degrees of freedom by Satterthwaite 1946) where that is wider. Rules of causes and the forecast of a
+// verdict count in it; the verdict itself judges all values together (cells.hpp).
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "records/calibration.hpp"
@@ -15,7 +11,7 @@ namespace phy::verdict {
 
 /// Misses that pass whatever the scatter.
 inline double tolerance(Property property) { return measured(property).tolerance; }
-/// The widest margin by which a row can be judged.
+/// The least error that matters: below it a value is met.
 inline double coarsest(Property property) { return measured(property).coarsest; }
 
 /// From where a table is out of reach: the miss of an E, the root mean square of those of the strengths.
@@ -38,11 +34,7 @@ bool misses(const Comparison& row);
 constexpr std::size_t first_packings = 5, most_packings = 15;
 bool wants_packings(const std::vector<Comparison>& verification);
 
-/// Is the row too coarse to be judged by?
+/// Does the margin pass errors that matter?
 bool unresolved(const Comparison& row);
-
-/// Specimens more that would make it fine enough; nothing: packings of this size differ too much for any
-/// number of specimens below a hundred.
-std::optional<int> specimens_missing(const Comparison& row);
 
 }  // namespace phy::verdict

@@ -14,7 +14,7 @@ const calibrated = `name = "slate, the nearest model"\n[specimen]\nwidth = "8 mm
 const verdict = {
   status: "out of reach",
   sentence: "out of reach: the search was short (it would be longer with a larger --max-tests in a new folder)",
-  summary: ["tables.txt says which misses would pass"],
+  lines: ["tables.txt says which misses would pass"],
   findings: [{ kind: "nearest_in_maps", text: "flat joints may come nearer: --matrix flat_joint" }],
 };
 

@@ -230,7 +230,7 @@ function calibrated() {
   const of = (property, unit, scale) => (theta, laboratory, model) => ({ property, unit, "theta [deg]": theta, laboratory: { mean: laboratory * scale, sd: 0.05 * laboratory * scale, n: 4, sd_assumed: false }, model: model * scale, sd_of_packings: null, n_packings: 1, low: 0.9 * model * scale, high: 1.1 * model * scale });
   const [ucs, nu] = [of("UCS", "Pa", 1e6), of("nu", "1", 1)];
   const parameter = (key, determined) => ({ key, symbol: key, unit: "Pa", value: 40.25e9, low: 35e9, high: 46e9, box: [1e9, 200e9], determined, next: determined ? undefined : { text: "<b>tension</b>" } });
-  const calibration = { format: 2, rock: hostile, verdict: { status: "calibrated except", sentence: "calibrated except: <u>cause</u>; next: a step", summary: ["UCS 12 % off at 45 degrees"], findings: [{ kind: "value_missed", text: "<i>UCS(45)</i> is out by 12 %" }] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [ucs(0, 60, 57.5), ucs(45, 60, 66), nu(0, 0.2, 0.21), nu(45, 0.2, 0.19)], verification: [], left_out: [], notes: [{ kind: "packings_added", text: "a note" }] };
+  const calibration = { format: 2, rock: hostile, verdict: { status: "calibrated except", sentence: "calibrated except: <u>cause</u>; next: a step", lines: ["UCS 12 % off at 45 degrees"], findings: [{ kind: "value_missed", text: "<i>UCS(45)</i> is out by 12 %" }] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [ucs(0, 60, 57.5), ucs(45, 60, 66), nu(0, 0.2, 0.21), nu(45, 0.2, 0.19)], verification: [], left_out: [], notes: [{ kind: "packings_added", text: "a note" }] };
   writeFileSync(join(result, "calibration.json"), JSON.stringify(calibration));
   report(result);
   return result;

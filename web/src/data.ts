@@ -61,7 +61,7 @@ export interface Finding {
 export interface Calibration {
   rock: string;
   method?: "sequence"; // none: a posterior
-  verdict: { status: string; sentence: string; summary: string[]; findings: Finding[] };
+  verdict: { status: string; sentence: string; lines: string[]; findings: Finding[] };
   tables?: { title: string; head: string; rows: [string, string][] }[]; // parameters in words; not in older files
   errors?: ({ of: string } & Record<string, number | string>)[]; // root mean squares
   runs?: { strength_tests: number; of_these_in_tension: number; elastic_solutions: number };

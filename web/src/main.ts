@@ -546,14 +546,12 @@ function calibration() {
     const panels = figure.panels.filter((p) => p.aside === aside);
     return panels.length > 0 ? [grid(figure, "grid small", panels), legend(panels)] : [];
   };
-  const lines = c.verdict.summary.filter((f) => f.length <= 160).slice(0, 10); // the rest is folded
   section(
     "calibration",
     "Calibration",
-    h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence)),
+    h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence), h("ul", { class: "findings" }, ...c.verdict.lines.map((f) => h("li", {}, f)))),
     ...drawn(false),
     h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), ...(c.yardsticks ?? []).map((y) => h("p", {}, y.text)), cost(c))),
-    lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
     fold(`All findings (${c.verdict.findings.length}) and notes (${c.notes.length})`, ...c.verdict.findings.map((f) => h("p", {}, f.text)), ...c.notes.map((n) => h("p", { class: "muted" }, n.text))),
     fold("What the data determine", whatIsDetermined(c)),
     c.eq2 !== undefined &&

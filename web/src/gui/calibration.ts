@@ -72,7 +72,7 @@ function verdict(c: Calibrating): Child[] {
     h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, ...worded(c.verdict.sentence, c.files))),
     report ? h("p", {}, fileLink(report, "Open the report")) : null,
     report ? command(`phyllite report ${argument(c.folder)}`) : null,
-    c.verdict.summary.length > 0 && list(c.verdict.summary),
+    list(c.verdict.lines),
     c.verdict.findings.length > 0 && fold(counted(c.verdict.findings.length, "finding"), list(c.verdict.findings.map((f) => f.text))),
   ];
 }

@@ -91,7 +91,7 @@ export interface Calibrating extends Run {
   here: boolean; // started by this program
   resumes: boolean; // there is something to go on with
   progress: Progress | null;
-  verdict: { status: string; sentence: string; summary: string[]; findings: { text: string }[] } | null;
+  verdict: { status: string; sentence: string; lines: string[]; findings: { text: string }[] } | null;
 }
 
 /** A specimen of a test. */
