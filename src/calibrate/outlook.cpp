@@ -259,10 +259,10 @@ Outlook outlook_of(const Evidence& begins, int model, const std::vector<Evidence
   Outlook course{model, model + static_cast<int>(rivals.size()), ModelCourse(begins, options).stages(), {}};
   course.later = behind(course.stages, rivals, options);
   // of the model that is taken in the end, where another one may have followed
-  if (course.models > 1 && !begins.strengths.empty() && !options.elastic_only) {
-    const PointCost point = CostOfTests(begins, begins.strengths).on(Grains::own, as_measured);
-    course.later.least_cost += point.cost, course.later.most_cost += point.cost;
-  }
+  if (course.models > 1 && !begins.strengths.empty() && !options.elastic_only)
+    course.stages.push_back(CostOfTests(begins, begins.strengths)
+                                .on(Grains::own, as_measured)
+                                .stage(Kind::course_pictures, true, 1));
   return course;
 }
 
