@@ -3,7 +3,8 @@
 // Draws from the posterior rarely come near its middle where many ratios are sought: of ten, each half known,
 // no draw has all right. So from those that fit best least squares go downhill (maps/nearest.hpp):
 //
-//   minimise  sum_i [ rho((log lab_i - log model_i)/s_i) + var model_i/s_i^2 ] + sum_j ((x_j - mean_j)/sd_j)^2
+//   minimise  sum_i [ rho((log lab_i - log model_i)/s_i) + var model_i/s_i^2 ] + sum_j ((x_j -
+//   mean_j)/sd_j)^2
 //
 // s_i is half of what may be missed (verdict/margin.hpp); rho is a square that grows no faster than its root
 // beyond, so that a value which cannot be met does not decide for the others. var model_i: what the surrogate

@@ -165,7 +165,8 @@ std::vector<StrengthPosterior::Miss> StrengthPosterior::misses(const Point& x) c
 double StrengthPosterior::log_density(const Point& x, std::size_t left_out) const {
   if (!inside(x)) return -infinity;
   const std::vector<Miss> all = misses(x);
-  double sum = log_prior(x), alike = 0.0, errors = 0.0;  // of the common error: its weight, what all say of it
+  double sum = log_prior(x), alike = 0.0,
+         errors = 0.0;  // of the common error: its weight, what all say of it
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i == left_out) continue;
     const Miss& m = all[i];
