@@ -13,12 +13,13 @@ using verdict::tolerance;
 
 using Eigen::VectorXd;
 
-constexpr double draws_pull = 0.3, box_wall = 50.0;  // towards the draws; back into the box
-constexpr double slope_step = 1e-4;                  // of the derivatives
+constexpr double box_wall = 50.0;    // back into the box
+constexpr double slope_step = 1e-4;  // of the derivatives
 
 struct Misfit {
   const StrengthPosterior& posterior;
-  VectorXd mean, sd;      ///< of the draws
+  VectorXd mean;          ///< of the draws
+  VectorXd sd;            ///< before any data
   Eigen::Index n_misses;  ///< of strengths, and of moduli as they are read
   std::size_t left_out;
 
@@ -37,7 +38,7 @@ struct Misfit {
       r[n + i] = counts ? std::sqrt(miss.variance) / unit : 0.0;
     }
     for (Eigen::Index j = 0; j < m; ++j) {
-      r[2 * n + j] = draws_pull * (x[j] - mean[j]) / sd[j];
+      r[2 * n + j] = (x[j] - mean[j]) / sd[j];
       r[2 * n + m + j] = box_wall * (x[j] - held[static_cast<std::size_t>(j)]);
     }
   }
@@ -68,9 +69,7 @@ Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& d
   Misfit misfit{posterior, VectorXd::Zero(m), VectorXd::Zero(m), n_misses, left_out};
   const double n = static_cast<double>(draws.size());
   for (const Point& x : draws) misfit.mean += Eigen::Map<const VectorXd>(x.data(), m) / n;
-  for (const Point& x : draws)
-    misfit.sd += (Eigen::Map<const VectorXd>(x.data(), m) - misfit.mean).cwiseAbs2() / n;
-  misfit.sd = misfit.sd.cwiseSqrt().cwiseMax(1e-3);
+  for (Eigen::Index j = 0; j < m; ++j) misfit.sd[j] = posterior.prior_spread(static_cast<std::size_t>(j));
   return misfit;
 }
 

@@ -128,7 +128,7 @@ Estimate estimate(const Parameter& p, const LogBox& box, double x, double sd) {
   e.low = std::exp(std::max(std::min(box.low, x), x - z_95 * sd));
   e.high = std::exp(std::min(std::max(box.high, x), x + z_95 * sd));
   e.box_low = std::exp(box.low), e.box_high = std::exp(box.high);
-  e.determined = std::log(e.high / e.low) < 0.5 * (box.high - box.low);
+  e.determined = box.narrowed_to(std::log(e.high / e.low));
   return e;
 }
 

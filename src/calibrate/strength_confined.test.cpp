@@ -61,11 +61,12 @@ TEST(ConfinedStrength, StrengthsUnderConfinementAreMetAndTellFriction) {
   }
   EXPECT_EQ(n, 6);
   EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach);
-  EXPECT_TRUE(estimate_of(c, "mu").determined || estimate_of(c, "mu_sj").determined);
   for (const char* symbol : {"mu", "mu_sj"}) {
     const ParameterEstimate& told = estimate_of(c, symbol);
     const double value = told.number(rock);
     EXPECT_TRUE(told.low <= value && value <= told.high) << symbol << ' ' << value;
+    const double of_prior = 2.0 * 1.96 * (symbol == std::string("mu") ? matrix_mu : joint_mu).range.sd;
+    EXPECT_LT(std::log(told.high / told.low), 0.5 * of_prior) << symbol << ", whose prior was wider";
   }
   EXPECT_EQ(c.counts.tension, 0);
   EXPECT_EQ(c.counts.tests, 9 * (36 + 5));  // of the budget all

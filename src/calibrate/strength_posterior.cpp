@@ -66,6 +66,11 @@ double StrengthPosterior::log_value(const Point& x, const Parameter& p) const {
   return box(p).low + 0.5 * (x[index_of(p)] + 1.0) * (box(p).high - box(p).low);
 }
 
+double StrengthPosterior::prior_spread(std::size_t coordinate) const {
+  const LogBox& box = boxes_[coordinate];
+  return box.spread() * (coordinate == 0 ? 1.0 : 2.0 / (box.high - box.low));
+}
+
 Recipe StrengthPosterior::recipe_at(Recipe recipe, const Point& x) const {
   for (const Parameter* p : parameters_) p->set(recipe, std::exp(log_value(x, *p)));
   return recipe;
@@ -160,7 +165,8 @@ std::vector<StrengthPosterior::Miss> StrengthPosterior::misses(const Point& x) c
 double StrengthPosterior::log_density(const Point& x, std::size_t left_out) const {
   if (!inside(x)) return -infinity;
   const std::vector<Miss> all = misses(x);
-  double sum = 0.0, alike = 0.0, errors = 0.0;  // of the common error: its weight, what all say of it
+  double sum = log_prior(x), alike = 0.0,
+         errors = 0.0;  // of the common error: its weight, what all say of it
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i == left_out) continue;
     const Miss& m = all[i];
@@ -170,6 +176,12 @@ double StrengthPosterior::log_density(const Point& x, std::size_t left_out) cons
     alike += common / v, errors += std::sqrt(common) * m.error / v;
   }
   return sum + 0.5 * (errors * errors / (1.0 + alike) - std::log1p(alike));  // Sherman & Morrison 1950
+}
+
+double StrengthPosterior::log_prior(const Point& x) const {
+  double sum = 0.0;
+  for (const Parameter* p : parameters_) sum -= 0.5 * std::pow(box(*p).strangeness(log_value(x, *p)), 2);
+  return sum;
 }
 
 double StrengthPosterior::common_variance(std::size_t target, double variance) const {

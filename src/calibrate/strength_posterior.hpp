@@ -9,8 +9,9 @@
 //   log p = -1/2 sum_i [ (log lab_i - log sigma_c - f_i(z))^2 / v_i + log v_i ],
 //   v_i = se_i^2 + var f_i(z) + d_p^2
 //
-// uniform over the box of parameters.hpp: laboratory scatter and ignorance of the surrogate count alike, and
-// a ratio that the data do not determine keeps the width of its box. d_p is what the best known rock misses
+// plus -1/2 ((log z_j - log usual_j)/sd_j)^2 of every ratio of which literature knows something, within the
+// box of parameters.hpp: laboratory scatter and ignorance of the surrogate count alike, and a ratio that the
+// data do not determine keeps its prior. d_p is what the best known rock misses
 // beyond both, of each property by itself: zero where the table can be met; where it cannot, the posterior
 // would otherwise flee to the rocks of which least is known, and a tension that cannot be met would take UCS
 // along. What is missed is still wanted as near as it can be had: a property with a discrepancy adds
@@ -46,6 +47,8 @@ class StrengthPosterior {
   /// sigma_c, then the ratios.
   const std::vector<const Parameter*>& parameters() const { return parameters_; }
   const LogBox& box(const Parameter& p) const { return boxes_[index_of(p)]; }
+  /// Standard deviation of a coordinate of points before any data.
+  double prior_spread(std::size_t coordinate) const;
   /// A point with the ratios of the middle of the box and a usual sigma_c.
   Point middle_of_box() const;
   static double log_sigma_c(const Point& x) { return x.front(); }
@@ -117,6 +120,7 @@ class StrengthPosterior {
   double common_variance(std::size_t target, double variance) const;
   /// What a miss costs of a property that has a discrepancy, in units of log p.
   double pull(const Miss& miss) const;
+  double log_prior(const Point& x) const;
   bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was
 
   /// log of that mean over sigma_c.

@@ -60,7 +60,13 @@ class Answered : public testing::Test {
     }
     const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
     const Eigen::MatrixXd L = factor.matrixL();
-    return -0.5 * error.dot(factor.solve(error)) - L.diagonal().array().log().sum();
+    double prior = 0.0;
+    for (std::size_t j = 1; j < x.size(); ++j) {
+      const Parameter& p = *posterior_.parameters()[j];
+      const double of_usual = std::log(p.from_normalised(x[j]) / p.range.usual);
+      prior += of_usual * of_usual / (p.range.sd * p.range.sd);
+    }
+    return -0.5 * (error.dot(factor.solve(error)) + prior) - L.diagonal().array().log().sum();
   }
   Evidence evidence_;
   StrengthPosterior posterior_;

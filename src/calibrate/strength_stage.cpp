@@ -98,7 +98,7 @@ Estimate with_interval(Estimate e, double value, const std::vector<double>& logs
   const auto [from, to] = interval_of(logs);
   e.value = value, e.box_low = std::exp(box.low), e.box_high = std::exp(box.high);
   e.low = std::min(value, std::exp(from)), e.high = std::max(value, std::exp(to));
-  e.determined = to - from < 0.5 * (box.high - box.low);
+  e.determined = box.narrowed_to(to - from);
   return e;
 }
 
@@ -123,8 +123,7 @@ Estimate strength_behind(const Parameter& ratio, const StrengthPosterior& poster
     box.low += posterior.box(*p).low, box.high += posterior.box(*p).high;
   }
   Estimate e = with_interval(number_of_recipe(ratio), ratio.number(recipe), sum, box);
-  const LogBox& known = posterior.box(*chain.front());
-  e.determined = std::log(e.high / e.low) < 0.5 * (known.high - known.low);
+  e.determined = posterior.box(*chain.front()).narrowed_to(std::log(e.high / e.low));
   return e;
 }
 

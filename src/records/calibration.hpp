@@ -32,7 +32,7 @@ struct ParameterEstimate {
   double value = nan;
   double low = 0.0, high = 0.0;
   double box_low = 0.0, box_high = 0.0;  ///< values that the calibration admits
-  bool determined = false;  ///< the interval is under half of the box, both measured in logarithms
+  bool determined = false;  ///< data have narrowed what was known before by half (LogBox::narrowed_to)
   Support rests_on;         ///< the data that determine it, or what stands in for them
   NextStep next;            ///< what would; nothing if it is determined
   /// Which number of the recipe it is; nullptr: a ratio of two.

@@ -239,7 +239,7 @@ const Parameter matrix_tau_c{.key = "matrix.tau_c",
                              .unit = "Pa",
                              .number = [](const Recipe& r) -> const double& { return r.matrix.tau_c; },
                              .over = &matrix_sigma_c,
-                             .range = {0.8, 5.0, 1.6},
+                             .range = {0.8, 5.0, 2.0, nullptr, 0.6},
                              .set =
                                  [](Recipe& r, double v) {
                                    MatrixRecipe& m = r.matrix;
@@ -253,7 +253,7 @@ const Parameter matrix_mu{.key = "matrix.mu",
                           .symbol = "mu",
                           .unit = "1",
                           .number = [](const Recipe& r) -> const double& { return r.matrix.mu; },
-                          .range = {0.2, 1.2, 0.6},
+                          .range = {0.2, 1.2, 0.5, nullptr, 0.4},
                           .set = [](Recipe& r, double v) { r.matrix.mu = v; },
                           .strength = StrengthRole{friction_rule}};
 
@@ -273,7 +273,7 @@ const Parameter matrix_phi{.key = "matrix.phi",
                            .symbol = "phi",
                            .unit = "deg",
                            .number = [](const Recipe& r) -> const double& { return r.matrix.phi; },
-                           .range = {4.0, 45.0, 15.0},
+                           .range = {4.0, 45.0, 15.0, nullptr, 0.7},
                            .set =
                                [](Recipe& r, double v) {
                                  r.matrix.shear_strength = ShearStrength::cohesion_friction;
@@ -356,7 +356,7 @@ const Parameter joint_sigma_n{
     .unit = "Pa",
     .number = [](const Recipe& r) -> const double& { return joint(r).sigma_n; },
     .over = &joint_cohesion,
-    .range = {0.07, 1.5, 0.33},
+    .range = {0.07, 1.5, 0.33, nullptr, 0.7},
     .set =
         [](Recipe& r, double v) {
           for (BeddingRecipe& b : r.bedding) b.sigma_n = v * b.cohesion;
@@ -373,7 +373,7 @@ const Parameter joint_mu{
     .symbol = "mu_sj",
     .unit = "1",
     .number = [](const Recipe& r) -> const double& { return joint(r).mu; },
-    .range = {0.15, 1.0, 0.4},
+    .range = {0.15, 1.0, 0.45, nullptr, 0.35},
     .set = [](Recipe& r, double v) { r.bedding.front().mu = v; },
     .belongs = has_joints,
     .strength = StrengthRole{joint_friction_rule, false,
@@ -410,7 +410,14 @@ double Parameter::get(const Recipe& recipe) const {
 
 LogBox Parameter::box(const Scales& scales) const {
   const double unity = range.of == nullptr ? 1.0 : scales.*range.of;
-  return {std::log(range.low * unity), std::log(range.high * unity), std::log(range.usual * unity)};
+  return {std::log(range.low * unity), std::log(range.high * unity), std::log(range.usual * unity), range.sd};
+}
+
+/// Of a normal distribution beside a flat one of the box, whose precisions add: the truncated normal within
+/// some per cent, without its error functions.
+double LogBox::spread() const {
+  constexpr double flat = 12.0;  // variance of a box, in squares of its width
+  return 1.0 / std::sqrt(flat / ((high - low) * (high - low)) + 1.0 / (sd * sd));
 }
 
 double Parameter::normalised(double value) const {

@@ -8,25 +8,37 @@
 // records/recipe_schema.cpp.
 #pragma once
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/nan.hpp"
 #include "records/calibration.hpp"
 #include "records/evidence.hpp"
 
 namespace phy {
 
-/// Admissible values and where the data do not speak: logarithms of SI.
+/// Admissible values, and what is known of them without a table: logarithms of SI.
 struct LogBox {
   double low = 0.0, high = 0.0, usual = 0.0;
+  double sd = infinity;  ///< about `usual`
+  /// Distance from the usual value in standard deviations.
+  double strangeness(double x) const { return (x - usual) / sd; }
+  /// Standard deviation before any data: of the prior within the box.
+  double spread() const;
+  /// Have data narrowed it? Is a 95 % interval of this width under half of a flat box that spreads as far?
+  bool narrowed_to(double width) const { return width < std::sqrt(3.0) * spread(); }
 };
 
 /// The same as an object states it: multiples of what a table holds, or pure numbers.
 struct Range {
   double low, high, usual;
   double Scales::*of = nullptr;  ///< nullptr: pure numbers
+  /// Of the logarithm about that of `usual`, from literature (docs/theory/inference.md); infinity: nothing is
+  /// known but the box.
+  double sd = infinity;
 };
 
 struct Parameter;

@@ -2,11 +2,15 @@
 // and the ratios around it keep still.
 #include "records/parameters.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 
 #include "records/reading_fixture.hpp"
 #include "records/recipe_schema.hpp"
@@ -182,6 +186,21 @@ TEST(Parameters, BoxesAreMultiplesOfWhatTheTableHolds) {
   }
   EXPECT_NEAR(std::exp(matrix_sigma_c.box(scales).low), 10e6, 1.0);
   EXPECT_NEAR(std::exp(matrix_mu.box(scales).high), 1.2, 1e-12);
+}
+
+TEST(Parameters, PriorsStandInTheTableOfTheirSources) {
+  std::ifstream in(PHY_SOURCE_DIR "/docs/theory/inference.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  std::set<const Parameter*> stated;
+  for (const Recipe& r : {bedded(), foliated()})
+    for (const Parameter* p : strength_parameters(r))
+      if (std::isfinite(p->range.sd)) stated.insert(p);
+  EXPECT_EQ(stated.size(), 5U);
+  for (const Parameter* p : stated) {
+    const std::string row =
+        fmt::format("\n| {} | {:g} | {:g} | ", sought(*p).symbol, p->range.usual, p->range.sd);
+    EXPECT_NE(page.find(row), page.npos) << row;
+  }
 }
 
 TEST(Parameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
