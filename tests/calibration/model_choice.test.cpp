@@ -48,7 +48,7 @@ Rock rock_of(const ResponseMap& table, std::size_t row) {
 maps::ModelChoice choice_for(const Rock& rock, calibrate::Simulator& simulator) {
   const Evidence evidence(rock);
   return calibrate::choose_model(evidence, maps::candidates_of(evidence), 1, simulator,
-                                 [](const std::string&) {});
+                                 [](const Finding&) {});
 }
 
 /// "bridges" of whatever share of the planes.
