@@ -8,8 +8,8 @@
 
 #include "base/quote.hpp"
 #include "io/toml_in.hpp"
-#include "jobs/keys.hpp"
 #include "jobs/check_summary.hpp"
+#include "jobs/keys.hpp"
 #include "jobs/machine.hpp"
 #include "python/module.hpp"
 #include "records/calibration.hpp"

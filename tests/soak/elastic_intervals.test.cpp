@@ -46,9 +46,8 @@ TEST_P(ElasticIntervals, HoldTheParametersOfTheRock) {
   std::map<std::string, double> width, miss;
   int all = 0;
   for (int k = 0; k < n_fits; ++k) {
-    const ElasticFit fit =
-        fit_elastic(Evidence(rock, targets), packings_from(3000 + 20 * k, 5),
-                    packings_from(3005 + 20 * k, 15), *simulator, [](const Finding&) {});
+    const ElasticFit fit = fit_elastic(Evidence(rock, targets), packings_from(3000 + 20 * k, 5),
+                                       packings_from(3005 + 20 * k, 15), *simulator, [](const Finding&) {});
     for (const Estimate& e : fit.parameters) {
       const double value =
           elastic_parameters(truth)[static_cast<std::size_t>(&e - fit.parameters.data())]->get(truth);
