@@ -72,6 +72,9 @@ class CalibrationRecord:
     sentence: str
     findings: List[Dict[str, Any]]
     causes: List[Dict[str, Any]]
+    lines: List[str]
+    good_for: List[Dict[str, Any]]
+    not_good_for: List[Dict[str, Any]]
     next: str
     parameters: List[Dict[str, Any]]
     fitted: List[Dict[str, Any]]

@@ -85,6 +85,7 @@ int rock_new(const std::string& given, const std::string& data) {
 
 int rock_check(const std::string& path, bool all, const Session& session) {
   write_out(jobs::rock_check(rock::read_rock(path), path, session.terminal_width, n_threads(session), all));
+  if (!all) write_out("Details: phyllite rock check " + sh_word(path) + " --all\n");
   return 0;
 }
 

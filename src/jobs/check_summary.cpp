@@ -8,7 +8,6 @@
 #include <set>
 
 #include "base/check.hpp"
-#include "base/quote.hpp"
 #include "base/text_table.hpp"
 #include "calibrate/outlook.hpp"
 #include "jobs/time_left.hpp"
@@ -20,7 +19,6 @@ namespace phy::jobs {
 namespace {
 
 using Kind = FindingKind;
-constexpr std::ptrdiff_t most_notes = 3;  // how the files were understood
 
 Finding angles_of(const Evidence& evidence) {
   Finding f{Kind::table_angles};
@@ -135,13 +133,10 @@ std::string rock_check(const Rock& read, const std::string& path, int width, int
   const auto items = [&](const std::vector<std::string>& lines, const char* mark) {
     for (const std::string& line : lines) text += wrapped(mark + line + "\n", width, 2);
   };
-  // those on columns stand last
-  const auto last = rock.notes.end() - std::min(most_notes, std::ssize(rock.notes));
-  items({last, rock.notes.end()}, "");
+  items(rock.notes, "");  // how the files were understood
   items(report::sentences(summary_of(found, threads)), "");
-  if (!all) return text + "Details: phyllite rock check " + sh_word(path) + " --all\n";
+  if (!all) return text;
   text += "\n" + report::target_table(found.evidence.targets, width) + "\n";
-  items({rock.notes.begin(), last}, "- ");
   if (found.doubts.size() > most_doubts)
     items(report::sentences({found.doubts.begin() + most_doubts, found.doubts.end()}), "- ");
   items(report::sentences(found.statements), "- ");

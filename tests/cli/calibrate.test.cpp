@@ -253,7 +253,7 @@ TEST_F(CalibrateCli, EffortIsRememberedAndNamesTheNextOne) {
   EXPECT_EQ(run_to_event(300, SIGINT, quick), 1) << output;
   EXPECT_THAT(output, HasSubstr("--effort quick --resume"));
   ASSERT_THAT(run(quick + " --resume"), testing::AnyOf(0, 1)) << output;
-  EXPECT_THAT(output, HasSubstr("moduli fitted on one packing by")) << "the first stage, told at once";
+  EXPECT_THAT(output, HasSubstr("Fitting the moduli (stage 1 of")) << "the first stage, reported at once";
   EXPECT_THAT(output, HasSubstr("--effort normal"));
   EXPECT_THAT(read(out() + "/tables.txt"), HasSubstr("--effort normal may come nearer"));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"effort\": \"quick\""));

@@ -147,7 +147,7 @@ TEST_F(Attack, ACalibrationOfAnyNameIsOneOfThatName) {
   EXPECT_THAT(output, HasSubstr(attack));
   ASSERT_EQ(phyllite("recipe out/calibrated.toml"), 0) << output;
   EXPECT_THAT(output, HasSubstr(phy::toml_string(
-                          attack + ", moduli calibrated, strengths given (not resolved by the table)")));
+                          attack + ", moduli calibrated, strengths given (not decided by the table)")));
   if (!has("python3")) GTEST_SKIP() << "no python3 here";
   EXPECT_EQ(here("python3 -m py_compile out/calibrated-yade.py"), 0) << output;
 }
