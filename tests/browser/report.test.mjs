@@ -241,7 +241,7 @@ test("a calibration: verdict, what the data determine, laboratory beside model",
   const page = await open(result);
   assert.deepEqual(page.trouble, []);
   assert.equal(await page.locator("h1").textContent(), hostile);
-  assert.equal(await page.locator("#calibration .notice").first().textContent(), "calibrated except: <u>cause</u>; next: a step");
+  assert.equal(await page.locator("#calibration .notice strong").first().textContent(), "calibrated except: <u>cause</u>; next: a step");
   assert.equal(await page.locator("#calibration .findings li").first().textContent(), "UCS 12 % off at 45 degrees");
   assert.equal(await page.locator("#calibration details[open]").count(), 0, "details are folded");
   const narrow = await open(result, { viewport: { width: 390, height: 844 } });
