@@ -24,7 +24,7 @@ SecondsRange expected_seconds(const calibrate::Ahead& ahead, double seconds_per_
 /// `course_expected`: tests and time of a calibration before it begins.
 Finding expected_course(const calibrate::Ahead& ahead, int threads);
 
-/// A clock that is told what happens; times are seconds since any one moment.
+/// A clock fed with what happens; times are seconds since any one moment.
 class TimeLeft {
  public:
   explicit TimeLeft(double seconds_per_cost) : first_speed_(seconds_per_cost) {}

@@ -122,7 +122,8 @@ TEST(Words, TheVerdictOfARockThatIsMet) {
   EXPECT_EQ(
       verdict_words(c),
       "Calibrated. On packings that the fit has not seen: 20 of 21 values are met, 1 is not decided. Judged "
-      "each by itself, 1 value is off; chance alone gives about 1. The model has nu within 0.010 and UCS "
+      "each by itself, 1 value is off; chance alone gives about 1 at most. The model has nu within 0.010 and "
+      "UCS "
       "within 1.7 % of the table.");
   EXPECT_THAT(verdict_lines(c),
               ElementsAre("Good for: UCS at every angle of the table; nu at 0 degrees.",
@@ -168,7 +169,7 @@ TEST(Words, TheVerdictOfATableThatIsOutOfReach) {
   EXPECT_EQ(
       verdict_words(c),
       "Out of reach. 4 of 7 values are met, 2 are missed, 1 is not decided. Judged each by itself, 2 values "
-      "are off; chance alone gives 0.4.");
+      "are off; chance alone gives 0.4 at most.");
   EXPECT_EQ(verdict_lines(c)[1], "Not good for: UCS at 60 and 75 degrees, 11 to 13 % too high.");
   EXPECT_EQ(
       verdict_lines(c)[2],

@@ -120,7 +120,7 @@ std::string values_judged(F f) {
   text += ".";
   if (f.number("alone") > 0.0)
     text +=
-        fmt::format(" Judged each by itself, {} {}; chance alone gives {}.",
+        fmt::format(" Judged each by itself, {} {}; chance alone gives {} at most.",
                     counted_text(f.number("alone"), "value"), f.number("alone") == 1.0 ? "is off" : "are off",
                     f.number("by_chance") < 0.95 ? fmt::format("{:.1g}", f.number("by_chance"))
                                                  : fmt::format("about {:.0f}", f.number("by_chance")));
