@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "maps/nearest.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 namespace {

@@ -6,7 +6,7 @@
 //   minimise  sum_i [ rho((log lab_i - log model_i)/s_i) + var model_i/s_i^2 ] + sum_j ((x_j -
 //   mean_j)/sd_j)^2
 //
-// s_i is half of what may be missed (verdict/margin.hpp); rho is a square that grows no faster than its root
+// s_i is half of what may be missed (verdict/cells.hpp); rho is a square that grows no faster than its root
 // beyond, so that a value which cannot be met does not decide for the others. var model_i: what the surrogate
 // does not know, so that of two places that fit alike the better known is taken. mean_j is
 // that of the draws, sd_j what was known of x_j before any data. Where the table determines x_j, the draws

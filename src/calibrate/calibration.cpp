@@ -13,7 +13,7 @@
 #include "maps/placing.hpp"
 #include "survey/cells.hpp"
 #include "verdict/causes.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/stats.hpp"
 #include "calibrate/elastic_problem.hpp"
 #include "calibrate/posterior_ensemble.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 namespace {

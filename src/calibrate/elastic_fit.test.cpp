@@ -9,8 +9,8 @@
 #include "base/stats.hpp"
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "verdict/cells.hpp"
 #include "verdict/judge.hpp"
-#include "verdict/margin.hpp"
 
 namespace phy::calibrate {
 namespace {

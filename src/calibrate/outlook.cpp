@@ -12,7 +12,7 @@
 #include "calibrate/strength_tests.hpp"
 #include "maps/candidates.hpp"
 #include "study/expected.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 namespace {

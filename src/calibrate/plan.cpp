@@ -10,7 +10,7 @@
 #include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/search_plan.hpp"
 #include "calibrate/softening.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 namespace {

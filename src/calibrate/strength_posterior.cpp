@@ -9,7 +9,7 @@
 #include "base/check.hpp"
 #include "base/nan.hpp"
 #include "maps/prior_regression.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 

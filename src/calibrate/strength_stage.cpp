@@ -17,7 +17,7 @@
 #include "calibrate/search_plan.hpp"
 #include "calibrate/strength_posterior.hpp"
 #include "calibrate/strength_tests.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 namespace {

@@ -9,7 +9,7 @@
 #include "calibrate/softening.hpp"
 #include "calibrate/strength_tests.hpp"
 #include "calibrate/toughness.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::calibrate {
 namespace {

@@ -59,10 +59,11 @@ E_t and E_tan are tangents at half of UCS, E_s and E_sec secants there, E_av ave
 
 ## Tolerances
 
-How a calibration judges each property. A value may miss by its tolerance, or by chance where that is wider. A
-margin above the widest resolves nothing. Usual scatter stands for single specimens until the table tells.
+How a calibration judges each property. A value is missed where chance does not explain the difference, and it
+is larger than the tolerance. A value is met where an error that matters is excluded. Usual scatter stands for
+single specimens until the table tells.
 
-| property | tolerance | widest margin | usual scatter | test of the model |
+| property | tolerance | error that matters | usual scatter | test of the model |
 |---|---|---|---|---|
 )";
 

@@ -13,17 +13,14 @@
 #include "maps/layered_table.hpp"
 #include "maps/nearest.hpp"
 #include "study/expected.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::maps {
 namespace {
 
-using verdict::margin;
 using verdict::miss_of;
-using verdict::misses;
 using verdict::modulus_limit;
 using verdict::strength_limit;
-using verdict::unresolved;
 
 using Eigen::VectorXd;
 
@@ -229,15 +226,11 @@ bool strengths_out_of_reach(const Forecast& f) {
 VerdictStatus status_of(const Forecast& f) {
   if ((!f.beyond_map && f.rms(Property::E) > modulus_limit) || strengths_out_of_reach(f))
     return VerdictStatus::out_of_reach;
-  bool any_missed = f.nu_of_nearest_body > measured(Property::nu).tolerance, coarse = false;
-  for (const Comparison& c : f.rows) {
-    // E beyond the map is no miss of the model's
-    any_missed = any_missed || (misses(c) && !(f.beyond_map && c.target.property == Property::E));
-    coarse = coarse || unresolved(c);
-  }
-  return any_missed ? VerdictStatus::calibrated_except
-         : coarse   ? VerdictStatus::not_decided
-                    : VerdictStatus::calibrated;
+  if (f.nu_of_nearest_body > measured(Property::nu).tolerance) return VerdictStatus::calibrated_except;
+  std::vector<Comparison> rows = f.rows;
+  if (f.beyond_map)  // no miss of the model's
+    std::erase_if(rows, [](const Comparison& c) { return c.target.property == Property::E; });
+  return verdict::status_of(verdict::judge_cells(rows));
 }
 
 /// What of the table was not mapped.
@@ -348,21 +341,21 @@ FindingKind kind_of(VerdictStatus status) {
   }
 }
 
-/// The rows farthest beyond their margins.
+/// The rows farthest beyond what passes.
 std::vector<Finding> farthest_rows(const Forecast& f) {
   constexpr std::size_t most_named = 4;
-  std::vector<const Comparison*> beyond;
-  for (const Comparison& c : f.rows)
-    if (misses(c)) beyond.push_back(&c);
-  const auto over = [](const Comparison* c) { return std::fabs(miss_of(*c)) / margin(*c); };
-  std::stable_sort(beyond.begin(), beyond.end(),
-                   [&](const Comparison* a, const Comparison* b) { return over(a) > over(b); });
-  beyond.resize(std::min(beyond.size(), most_named));  // more would hide the farthest
+  std::vector<verdict::JudgedCell> cells = verdict::judge_cells(f.rows);
+  std::erase_if(cells, [](const auto& c) { return std::fabs(c.scaled_miss()) <= 1.0; });
+  std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
+    return std::fabs(a.scaled_miss()) > std::fabs(b.scaled_miss());
+  });
   std::vector<Finding> list;
-  for (const Comparison* c : beyond)
+  for (const verdict::JudgedCell& c : cells) {
+    if (list.size() == most_named) break;  // more would hide the farthest
     list.push_back({FindingKind::forecast_missed,
-                    {cell_of(c->target)},
-                    {{"model", c->mean}, {"laboratory", c->target.mean}}});
+                    {cell_of(c.row.target)},
+                    {{"model", c.row.mean}, {"laboratory", c.row.target.mean}}});
+  }
   return list;
 }
 

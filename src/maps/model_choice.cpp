@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::maps {
 namespace {

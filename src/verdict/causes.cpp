@@ -5,7 +5,7 @@
 #include <map>
 
 #include "base/check.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::verdict {
 namespace {
@@ -35,9 +35,10 @@ std::optional<Finding> scattered_packings(const View& v, Part part) {
   double squares = 0.0, missed = 0.0, missed_by_nu = 0.0;
   int n = 0;
   bool nu_missed = false, others_missed = false;
-  for (const Comparison& c : v.rows) {
+  for (const JudgedCell& cell : v.cells) {
+    const Comparison& c = cell.row;
     if (measured(c.target.property).part != part || !c.answered() || !std::isfinite(c.sd)) continue;
-    (c.target.property == Property::nu ? nu_missed : others_missed) |= misses(c);
+    (c.target.property == Property::nu ? nu_missed : others_missed) |= std::fabs(cell.scaled_miss()) > 1.0;
     if (c.target.property == Property::nu) {
       missed_by_nu += std::pow(miss_of(c) / tolerance(Property::nu), 2.0);
       continue;
@@ -56,15 +57,15 @@ std::optional<Finding> scattered_packings(const View& v, Part part) {
 }
 
 Finding farthest_value(const View& v, Part part) {
-  const Comparison* worst = nullptr;
-  for (const Comparison& c : v.rows)
-    if (measured(c.target.property).part == part && c.answered() &&
-        (worst == nullptr || std::fabs(scaled_error(c)) > std::fabs(scaled_error(*worst))))
+  const JudgedCell* worst = nullptr;
+  for (const JudgedCell& c : v.cells)
+    if (measured(c.row.target.property).part == part && c.row.answered() &&
+        (worst == nullptr || std::fabs(c.scaled_miss()) > std::fabs(worst->scaled_miss())))
       worst = &c;
   PHY_CHECK(worst != nullptr, "a part that misses has a value that was answered");
   return {FindingKind::farthest_value,
-          {cell_of(worst->target)},
-          {{"model", worst->mean}, {"laboratory", worst->target.mean}},
+          {cell_of(worst->row.target)},
+          {{"model", worst->row.mean}, {"laboratory", worst->row.target.mean}},
           {},
           Advice::check_value};
 }
@@ -94,9 +95,9 @@ std::vector<Part> ranked(const View& v) {
 /// "E", "nu": what the table has of a part.
 std::vector<std::string> properties_of(const View& v, Part part) {
   std::vector<std::string> names;
-  for (const Comparison& c : v.rows)
-    if (const std::string name = to_string(c.target.property);
-        measured(c.target.property).part == part &&
+  for (const JudgedCell& c : v.cells)
+    if (const std::string name = to_string(c.row.target.property);
+        measured(c.row.target.property).part == part &&
         std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   return names;

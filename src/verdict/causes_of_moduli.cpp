@@ -4,7 +4,7 @@
 
 #include "base/nan.hpp"
 #include "verdict/causes.hpp"
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::verdict {
 namespace {
@@ -36,8 +36,7 @@ std::optional<Finding> nu_of_no_body(const View& v) {
   if (!E || !nu) return {};
   const double off = std::fabs(std::log(nu->laboratory / E->laboratory));
   if (off <= z_99 * std::hypot(E->error_of_laboratory, nu->error_of_laboratory)) return {};
-  const std::vector<Comparison> rows = v.answered(Property::nu);
-  if (std::none_of(rows.begin(), rows.end(), misses)) return {};
+  if (v.n_beyond(Property::nu) == 0) return {};
   return Finding{
       FindingKind::nu_of_no_body, {}, {{"nu", nu->laboratory}, {"E", E->laboratory}}, {}, Advice::check_nu};
 }

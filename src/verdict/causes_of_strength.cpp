@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "verdict/causes.hpp"
+#include "verdict/cells.hpp"
 #include "verdict/grain_size.hpp"
-#include "verdict/margin.hpp"
 
 namespace phy::verdict {
 namespace {
@@ -21,8 +21,7 @@ Advice advice_on_ucs(const View& v, bool table_is_certain, bool model_is_certain
   if (!is_directed(v.of.layers) && !v.of.model_chosen) return Advice::choose_layers;
   if (!table_is_certain) return Advice::more_specimens;
   if (!model_is_certain) return Advice::smaller_grains;
-  const std::vector<Comparison> ucs = v.answered(Property::ucs);
-  if (!std::all_of(ucs.begin(), ucs.end(), misses)) return Advice::take_where_met;
+  if (v.n_beyond(Property::ucs) < v.answered(Property::ucs).size()) return Advice::take_where_met;
   return v.of.model_chosen                ? Advice::leave_out_ucs
          : of_parallel_bonds(v.of.layers) ? Advice::other_layers
                                           : Advice::other_layers_or_matrix;

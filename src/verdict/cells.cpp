@@ -6,12 +6,12 @@
 #include <numeric>
 
 #include "base/stats.hpp"
-#include "verdict/margin.hpp"
 
 namespace phy::verdict {
 namespace {
 
 constexpr double level = 0.05;
+constexpr double enough_met = 0.9;  // of the values
 /// Of the 5 %, where a table has both: else fourteen moduli would hide a miss among seven strengths, on which
 /// every prediction of failure rests. Misses that matter are three to five tolerances in moduli, 2.5 in UCS.
 constexpr double share_of_moduli = 0.2;
@@ -125,12 +125,30 @@ void step_down(std::vector<JudgedCell>& cells) {
 
 }  // namespace
 
+double miss_of(const Comparison& row) { return (row.mean - row.target.mean) / unit_of(row, row.target.mean); }
+
+double JudgedCell::scaled_miss() const {
+  const double by_chance = student_t_95(static_cast<std::size_t>(std::max(1.0, degrees))) * error;
+  return miss_of(row) / std::max(tolerance(row.target.property), by_chance);
+}
+
 std::vector<JudgedCell> judge_cells(const std::vector<Comparison>& rows) {
   const Packings packings(rows);
   std::vector<JudgedCell> cells;
   for (const Comparison& row : rows) cells.push_back(measured_cell(row, packings));
   step_down(cells);
   return cells;
+}
+
+VerdictStatus status_of(const std::vector<JudgedCell>& cells) {
+  std::size_t met = 0;
+  for (const JudgedCell& c : cells) {
+    if (c.outcome == Outcome::missed) return VerdictStatus::calibrated_except;
+    met += c.outcome == Outcome::met ? 1U : 0U;
+  }
+  return static_cast<double>(met) < enough_met * static_cast<double>(cells.size())
+             ? VerdictStatus::not_decided
+             : VerdictStatus::calibrated;
 }
 
 std::optional<int> specimens_missing(const JudgedCell& c) {
@@ -141,6 +159,17 @@ std::optional<int> specimens_missing(const JudgedCell& c) {
     if (bound_of(c.row, c.change, error, c.degrees + more) <= coarsest(t.property)) return more;
   }
   return std::nullopt;
+}
+
+bool wants_packings(const std::vector<Comparison>& verification) {
+  constexpr double enough = 0.25;
+  double squares = 0.0;
+  int n = 0;
+  for (const Comparison& c : verification) {
+    if (!is_strength(c.target.property) || !std::isfinite(c.sd)) continue;
+    squares += std::pow(c.sd / c.mean / tolerance(c.target.property), 2.0) / c.n_packings, ++n;
+  }
+  return squares > n * enough * enough;
 }
 
 }  // namespace phy::verdict

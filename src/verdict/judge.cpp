@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "verdict/cells.hpp"
-#include "verdict/margin.hpp"
 
 namespace phy::verdict {
 namespace {
 
-constexpr double enough_met = 0.9;     // of the values
 constexpr double chance_limit = 2.0;   // in units of what the scatter of laboratory and packings explains
 constexpr double near_edge = 0.01;     // of a logarithm
 constexpr double chance_alone = 0.05;  // that a single value of a true model is called missed
@@ -172,15 +170,12 @@ Verdict judge(const Results& r) {
   const bool strengths = strengths_out_of_reach(r.verification, v.findings);
   report_open(cells, v.findings);
   const auto any = [&](auto is) { return std::any_of(cells.begin(), cells.end(), is); };
-  const double met = v.counts.number("met"), values = v.counts.number("values");
   if (strengths || !r.of_search.empty() || moduli_unanswered(r.moduli) ||
       any([](const JudgedCell& c) { return c.outcome == Outcome::unanswered; }) ||
       any([&](const JudgedCell& c) { return modulus_out_of_reach(c, row_of(r.moduli, c.row.target)); }))
     v.status = VerdictStatus::out_of_reach;
-  else if (v.counts.number("missed") > 0.0)
-    v.status = VerdictStatus::calibrated_except;
-  else if (met < enough_met * values)
-    v.status = VerdictStatus::not_decided;
+  else
+    v.status = status_of(cells);
   if (const auto unstated = scatter_unstated(cells); unstated && v.status == VerdictStatus::not_decided)
     v.findings.insert(v.findings.begin(), *unstated);
   return v;

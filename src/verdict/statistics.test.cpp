@@ -9,8 +9,8 @@
 
 #include "base/rng.hpp"
 #include "base/stats.hpp"
+#include "verdict/cells.hpp"
 #include "verdict/judge.hpp"
-#include "verdict/margin.hpp"
 
 namespace phy::verdict {
 namespace {

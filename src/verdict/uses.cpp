@@ -5,7 +5,6 @@
 
 #include "verdict/causes.hpp"
 #include "verdict/cells.hpp"
-#include "verdict/margin.hpp"
 
 namespace phy::verdict {
 namespace {
@@ -13,15 +12,6 @@ namespace {
 /// Tests that a table may lack, and the parameters that decide them, by symbol.
 constexpr const char* frictions[] = {"mu", "mu_sj", "phi"};
 constexpr const char* ratios_of_tension[] = {"tau_c/sigma_c", "sigma_n,sj/C_sj", "r_t"};
-
-std::vector<JudgedCell> judged_cells(const Calibration& c) {
-  std::vector<Comparison> rows;
-  for (const Comparison& fit : c.fitted) {
-    const Comparison* unseen = row_of(c.verification, fit.target);
-    rows.push_back(unseen != nullptr ? *unseen : fit);
-  }
-  return judge_cells(rows);
-}
 
 /// The cells of one test with this outcome, out of all that the table has of it.
 Finding cells_with(Outcome outcome, FindingKind kind, const std::vector<JudgedCell>& cells,
@@ -77,7 +67,7 @@ void add_other_test(const char* name, std::span<const char* const> symbols, cons
 void state_uses(const Calibration& c, Verdict& v) {
   v.good_for.clear(), v.not_good_for.clear();
   if (v.status == VerdictStatus::interrupted) return;
-  const std::vector<JudgedCell> cells = judged_cells(c);
+  const std::vector<JudgedCell> cells = judge_cells(c.verification.empty() ? c.fitted : c.verification);
   add_tests_of_table(cells, v);
   const auto any = [&](auto is) { return std::any_of(cells.begin(), cells.end(), is); };
   if (!any([](const JudgedCell& j) { return is_strength(j.row.target.property); })) {

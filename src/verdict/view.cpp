@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "verdict/margin.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::verdict {
 
@@ -13,8 +13,6 @@ namespace {
 std::size_t place_of(Part part) { return static_cast<std::size_t>(part); }
 
 }  // namespace
-
-double scaled_error(const Comparison& c) { return miss_of(c) / margin(c); }
 
 double error_of_laboratory(const Comparison& c) { return c.target.standard_error() / c.target.mean; }
 double error_of_model(const Comparison& c) {
@@ -25,30 +23,39 @@ double EndRatio::error() const { return std::hypot(error_of_laboratory, error_of
 double EndRatio::difference() const { return std::fabs(std::log(laboratory / model)); }
 
 View::View(const Calibration& c) : of(c) {
+  std::vector<Comparison> rows;
   for (const Comparison& fit : c.fitted) {
     const Comparison* unseen = row_of(c.verification, fit.target);
     rows.push_back(unseen != nullptr && unseen->answered() ? *unseen : fit);
-    if (rows.back().answered())
-      misfit[place_of(measured(fit.target.property).part)] += std::pow(scaled_error(rows.back()), 2.0);
   }
+  cells = judge_cells(rows);
+  for (const JudgedCell& cell : cells)
+    if (cell.row.answered())
+      misfit[place_of(measured(cell.row.target.property).part)] += std::pow(cell.scaled_miss(), 2.0);
 }
 
 std::vector<Comparison> View::answered(Property p) const {
   std::vector<Comparison> some;
-  for (const Comparison& c : rows)
-    if (c.target.property == p && c.answered()) some.push_back(c);
+  for (const JudgedCell& c : cells)
+    if (c.row.target.property == p && c.row.answered()) some.push_back(c.row);
   return some;
 }
 
+std::size_t View::n_beyond(Property p) const {
+  return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const JudgedCell& c) {
+    return c.row.target.property == p && c.row.answered() && std::fabs(c.scaled_miss()) > 1.0;
+  }));
+}
+
 const Comparison* View::at(Property p, double theta) const {
-  for (const Comparison& c : rows)
-    if (c.target.property == p && c.target.theta == theta && c.answered()) return &c;
+  for (const JudgedCell& c : cells)
+    if (c.row.target.property == p && c.row.target.theta == theta && c.row.answered()) return &c.row;
   return nullptr;
 }
 
 bool View::moduli_alone() const {
-  return std::none_of(rows.begin(), rows.end(),
-                      [](const Comparison& c) { return is_strength(c.target.property); });
+  return std::none_of(cells.begin(), cells.end(),
+                      [](const JudgedCell& c) { return is_strength(c.row.target.property); });
 }
 
 double View::share(Part part) const {
@@ -59,15 +66,15 @@ double View::share(Part part) const {
 std::optional<EndRatio> View::end_ratio(Property p) const {
   const Comparison* across = at(p, 0.0);
   if (across == nullptr) return {};
-  const auto along = std::find_if(rows.begin(), rows.end(), [&](const Comparison& c) {
-    return c.answered() && c.target.theta == 90.0 && same_test(c.target, across->target);
+  const auto cell = std::find_if(cells.begin(), cells.end(), [&](const JudgedCell& c) {
+    return c.row.answered() && c.row.target.theta == 90.0 && same_test(c.row.target, across->target);
   });
-  if (along == rows.end() || along->mean / across->mean <= 0.0 ||
-      along->target.mean / across->target.mean <= 0.0)
-    return {};
-  return EndRatio{along->target.mean / across->target.mean, along->mean / across->mean,
-                  std::hypot(error_of_laboratory(*along), error_of_laboratory(*across)),
-                  std::hypot(error_of_model(*along), error_of_model(*across))};
+  if (cell == cells.end()) return {};
+  const Comparison& along = cell->row;
+  const EndRatio ratio = {along.target.mean / across->target.mean, along.mean / across->mean,
+                          std::hypot(error_of_laboratory(along), error_of_laboratory(*across)),
+                          std::hypot(error_of_model(along), error_of_model(*across))};
+  return ratio.laboratory > 0.0 && ratio.model > 0.0 ? std::optional(ratio) : std::nullopt;
 }
 
 }  // namespace phy::verdict

@@ -5,15 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "records/calibration.hpp"
+#include "verdict/cells.hpp"
 
 namespace phy::verdict {
 
 constexpr double z_one_sided_95 = 1.64;  ///< standard errors
 constexpr double least_change = 0.10;    ///< of a ratio of strengths, from where on it is another one
-
-/// A miss in units of the one that passes.
-double scaled_error(const Comparison& row);
 
 /// Standard errors of the logarithm of a mean: of the laboratory, of the model.
 double error_of_laboratory(const Comparison& row);
@@ -28,13 +25,15 @@ struct EndRatio {
 
 struct View {
   const Calibration& of;
-  std::vector<Comparison> rows;
+  std::vector<JudgedCell> cells;
   std::array<double, n_parts> misfit = {};  ///< of each part: sums of squares
 
   explicit View(const Calibration& calibration);
   /// With an answer, by angle as they come.
   std::vector<Comparison> answered(Property property) const;
   const Comparison* at(Property property, double theta) const;
+  /// How many of its values are missed by more than passes by itself.
+  std::size_t n_beyond(Property property) const;
   bool moduli_alone() const;
   double share(Part part) const;
   /// Under one stress; nothing: the table lacks one of the two.
