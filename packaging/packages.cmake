@@ -33,9 +33,10 @@ if(NOT PHY_MAINTAINER MATCHES "^.+ <.+@.+>$")
 endif()
 execute_process(COMMAND date --utc --rfc-email --date ${PHY_DATE} OUTPUT_VARIABLE PHY_RFC_DATE OUTPUT_STRIP_TRAILING_WHITESPACE)
 set(PHY_DEBIAN ${CMAKE_BINARY_DIR}/debian)
-file(WRITE ${PHY_DEBIAN}/changelog "phyllite (${PROJECT_VERSION}-1) unstable; urgency=medium
+string(REPLACE - ~ PHY_PACKAGE_VERSION ${PROJECT_VERSION}${PHY_DEV})  # before the release, as Debian counts
+file(WRITE ${PHY_DEBIAN}/changelog "phyllite (${PHY_PACKAGE_VERSION}-1) unstable; urgency=medium
 
-  * Package of version ${PROJECT_VERSION}; what changed stands in changelog.gz.
+  * Package of version ${PHY_PACKAGE_VERSION}; what changed stands in changelog.gz.
 
  -- ${PHY_MAINTAINER}  ${PHY_RFC_DATE}
 ")
@@ -45,6 +46,7 @@ install(FILES ${PHY_DEBIAN}/changelog.Debian.gz ${PHY_DEBIAN}/changelog.gz DESTI
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME phyllite)
+set(CPACK_PACKAGE_VERSION ${PHY_PACKAGE_VERSION})
 set(CPACK_PACKAGE_CONTACT ${PHY_MAINTAINER})
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR})
 set(CPACK_COMPONENTS_ALL program debian)

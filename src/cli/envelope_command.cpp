@@ -11,6 +11,7 @@
 #include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
+#include "base/version.hpp"
 #include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
@@ -235,7 +236,7 @@ study::EnvelopeTests run_all(const study::Specimens& specimens, const Recipe& re
   hooks.on_result = [&](std::size_t i, const TestResult& r) {
     if (r.outcome.status == Status::interrupted) return;
     const double sigma_3 = confining[i / n];
-    io::write_result((out / folder_of(sigma_3) / io::folder_name(r.name)).string(), recipes[i], PHY_VERSION,
+    io::write_result((out / folder_of(sigma_3) / io::folder_name(r.name)).string(), recipes[i], phy::version,
                      *all[i], r);
     line.note(fmt::format("{:g} MPa, {}: {}", sigma_3 * 1e-6, r.name, r.outcome.reason));
   };

@@ -15,6 +15,7 @@
 #include "base/embedded.hpp"
 #include "base/quote.hpp"
 #include "base/spelling.hpp"
+#include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/settle.hpp"
@@ -104,7 +105,7 @@ int run(int argc, char** argv) {
   session.terminal_width = phy::cli::terminal_size(STDOUT_FILENO).columns;
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
                "phyllite"};
-  app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
+  app.set_version_flag("--version", std::string(phy::program));
   app.add_flag_callback(
       "--licences",
       [] {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/man_text.hpp"
 #include "cli/suggested.hpp"
@@ -188,7 +189,7 @@ std::string page(const CLI::App& app) {
   std::erase(purpose, '`');
   // .nh: no command is broken by a hyphen that nobody types.
   std::string text =
-      fmt::format(".TH {} 1 {} \"phyllite {}\" Phyllite\n.nh\n", literal(upper), PHY_DATE, PHY_VERSION);
+      fmt::format(".TH {} 1 {} \"phyllite {}\" Phyllite\n.nh\n", literal(upper), PHY_DATE, phy::version);
   text += heading("NAME") + literal(page_name(app)) + " \\- " + prose(purpose) + "\n";
   text += synopses(app) + description(more.description) + heading("OPTIONS") + options_text(app);
   if (!program)

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/version.hpp"
 #include "cli/live_plot.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
@@ -30,7 +31,7 @@ std::vector<TestResult> press(const Recipe& recipe,
     // An interrupted test would stand beside finished ones as if it were a result.
     if (result.outcome.status == Status::interrupted) return;
     io::write_result((std::filesystem::path(folder) / io::folder_name(result.name)).string(), recipe,
-                     PHY_VERSION, *specimens[i], result);
+                     phy::version, *specimens[i], result);
     line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
   };
   std::vector<TestResult> results = study::run_tests(specimens, recipe, machine, hooks);

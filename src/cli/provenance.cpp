@@ -5,22 +5,21 @@
 #include <algorithm>
 #include <map>
 
+#include "base/version.hpp"
 #include "cli/terminal.hpp"
 
 namespace phy::cli {
 namespace {
 
-constexpr const char* this_program = "phyllite " PHY_VERSION;
-
 /// `programs`: how many results each has made. Nothing where all are of this one.
 void tell_others(std::map<std::string, std::size_t> programs, int terminal_width) {
   // Only what differs is worth a line.
-  programs.erase(this_program);
+  programs.erase(phy::program);
   for (const auto& [program, n] : programs)
     print_wrapped(terminal_width, 2,
                   "{} result(s) were made by {}, this is {}: their numbers need not agree with those of this "
                   "version; run them into another folder to compare\n",
-                  n, program, this_program);
+                  n, program, phy::program);
 }
 
 }  // namespace

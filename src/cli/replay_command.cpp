@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/clock.hpp"
+#include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
@@ -138,7 +139,7 @@ void compare(Stored& s, const study::PlannedTest& test, const TestResult& now, c
       s.differences.push_back(
           fmt::format("packing: other discs, stored with hash {}, now {}", s.packing_hash, hash));
     if (!out.empty())
-      io::write_result((fs::path(out) / s.place).string(), s.recipe, PHY_VERSION, *specimen, now);
+      io::write_result((fs::path(out) / s.place).string(), s.recipe, phy::version, *specimen, now);
   }
   const std::string key = (s.direct ? "direct-" : "") + test.key;
   if (!s.key.empty() && s.key != key)
@@ -201,7 +202,7 @@ int conclude(const std::vector<Stored>& all, double seconds, int width) {
     print_wrapped(width, 2,
                   "what was stored is not what {} computes here: if `phyllite verify --hash` finds the "
                   "recorded hashes, another version or build made it, or it was changed\n",
-                  "phyllite " PHY_VERSION);
+                  phy::program);
   return n_other > 0 || stopped ? 1 : 0;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/suggested.hpp"
@@ -76,7 +77,7 @@ std::string verdict_of(const std::vector<verification::GoldenHash>& hashes) {
       "told to contract or reorder floating-point operations (-ffast-math, -ffp-contract=fast) does this; so "
       "does a change of the source: there `make record` writes new ones down. In a build as it was "
       "published it is an error: please report it with compiler and processor\n",
-      n, hashes.size(), "phyllite " PHY_VERSION,
+      n, hashes.size(), phy::program,
       hashes.front().equal() ? "" : ", from its packing on, which all others follow from");
 }
 
@@ -94,7 +95,7 @@ int compare_hashes(const Session& session) {
               h.equal()            ? "equal"
               : h.recorded.empty() ? "DIFFERS: none was recorded"
                                    : "DIFFERS: recorded " + h.recorded);
-  print_wrapped(session.terminal_width, 2, "{}, {}, {} thread(s): {}", "phyllite " PHY_VERSION,
+  print_wrapped(session.terminal_width, 2, "{}, {}, {} thread(s): {}", phy::program,
                 engine::to_string(machine.isa), machine.threads, verdict_of(hashes));
   return std::all_of(hashes.begin(), hashes.end(), [](const auto& h) { return h.equal(); }) ? 0 : 1;
 }

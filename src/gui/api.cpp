@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/embedded.hpp"
 #include "base/quote.hpp"
+#include "base/version.hpp"
 #include "gui/options.hpp"
 #include "gui/project.hpp"
 #include "gui/recipes.hpp"
@@ -228,7 +229,7 @@ Json Api::project() {
     rocks.push_back({{"name", name}, {"state", c["state"]}, {"verdict", value_in(c, {"verdict", "status"})}});
   }
   return {
-      {"version", PHY_VERSION},
+      {"version", phy::version},
       {"folder", fs::current_path().string()},
       {"threads", jobs::n_threads(threads_)},
       {"file_token", file_token_},

@@ -10,6 +10,7 @@
 #include "base/hash.hpp"
 #include "base/option.hpp"
 #include "base/quote.hpp"
+#include "base/version.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "io/file.hpp"
 #include "io/load.hpp"
@@ -109,7 +110,7 @@ std::string tables_of(const Calibration& c) {
   const std::string eq2 = report::eq2_table(c, 0);
   return fmt::format("{}\nDetails\n{}\n{}{}{}\nMethods\n{}\n\n{}", screen_of(c, 0), report::macro_table(c, 0),
                      eq2, eq2.empty() ? "" : "\n", report::verdict_text(c, 0),
-                     fmt::join(report::methods_text(c, PHY_VERSION), "\n"), report::sentence_text(c, 0));
+                     fmt::join(report::methods_text(c, phy::version), "\n"), report::sentence_text(c, 0));
 }
 
 }  // namespace
@@ -198,7 +199,7 @@ bool SpecimenFolder::holds(const Recipe& recipe) {
 
 void SpecimenFolder::add(const Specimen& specimen, const Recipe& recipe, const TestResult& result) {
   try {
-    io::write_result((fs::path(folder_) / io::folder_name(result.name)).string(), recipe, PHY_VERSION,
+    io::write_result((fs::path(folder_) / io::folder_name(result.name)).string(), recipe, phy::version,
                      specimen, result);
   } catch (const std::exception&) {
     if (!problem_) problem_ = std::current_exception();
@@ -220,7 +221,7 @@ void write_calibration(const std::string& folder, const Calibration& c) {
                      report::draw_comments(c, k + 1) + io::write_recipe(c.ensemble[k]));
   io::write_output((out / "calibrated.p2dat").string(), report::pfc_commands(c.recipe));
   io::write_output((out / "calibrated-yade.py").string(), report::yade_script(c.recipe));
-  io::write_output((out / "calibration.json").string(), report::calibration_json(c, PHY_VERSION));
+  io::write_output((out / "calibration.json").string(), report::calibration_json(c, phy::version));
   io::write_output((out / "tables.txt").string(), tables_of(c));
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/clock.hpp"
+#include "base/version.hpp"
 #include "io/regressions.hpp"
 #include "jobs/calibration_job.hpp"
 #include "jobs/machine.hpp"
@@ -192,7 +193,7 @@ void add_calibrations(py::module_& m) {
       .def_property_readonly("left_out", [](const Calibration& c) { return rows_of(c.left_out); })
       .def_property_readonly("compared", [](const Calibration& c) { return rows_of(c.compared); })
       .def("text", [](const Calibration& c) { return jobs::screen_of(c, 0); })
-      .def("json", [](const Calibration& c) { return report::calibration_json(c, PHY_VERSION); })
+      .def("json", [](const Calibration& c) { return report::calibration_json(c, phy::version); })
       .def("save", &save, py::arg("folder"));
   m.def("calibration_options", &calibration_options);
   m.def("calibrate", &calibrate, py::arg("rock"), py::arg("options"), py::arg("threads"),

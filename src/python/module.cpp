@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/option.hpp"
+#include "base/version.hpp"
 #include "jobs/failure.hpp"
 
 namespace phy::python {
@@ -65,7 +66,7 @@ std::string argument_set(std::string_view word, std::string_view value) {
 }  // namespace
 
 PYBIND11_MODULE(_core, m) {
-  m.attr("__version__") = PHY_VERSION;
+  m.attr("__version__") = phy::version;
   py::register_exception_translator(translate);
   spell_options({"", argument, argument_set});
   add_recipes(m), add_runs(m), add_calibrations(m);

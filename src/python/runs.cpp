@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "base/units.hpp"
+#include "base/version.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
@@ -112,7 +113,7 @@ std::vector<TestResult> press(const Recipe& recipe, const Specimens& specimens, 
     if (r.outcome.status == Status::interrupted) return;
     if (!folder.empty())
       io::write_result((std::filesystem::path(folder) / io::folder_name(r.name)).string(), recipe,
-                       PHY_VERSION, *specimens[i], r);
+                       phy::version, *specimens[i], r);
     watch.say(r.name + ": " + r.outcome.reason);
   };
   return study::run_tests(specimens, recipe, jobs::machine_of(threads), hooks);

@@ -7,6 +7,7 @@
 #include "base/embedded.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
+#include "base/version.hpp"
 #include "io/base64.hpp"
 #include "io/scene.hpp"
 #include "io/store.hpp"
@@ -126,7 +127,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const SpecimenRecord none;
   const SpecimenRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
-  j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
+  j["program"] = run.tests.empty() ? std::string(phy::program) : first.program;
   j["axes"] = axes_json(first.recipe.test.kind->curve);
   j["columns"] = columns_json(*first.recipe.test.kind);
   j["done"] = done_json(first.recipe);

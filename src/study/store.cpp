@@ -18,6 +18,7 @@
 #include "base/largest_file.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
+#include "base/version.hpp"
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
 
@@ -218,7 +219,7 @@ bool write_specimen(io::Database& database, const std::string& key, const std::s
   s.bind(key).bind(recipe).bind(t.name).bind(std::int64_t{t.intact}).bind(t.theta);
   s.bind(to_string(t.outcome.status)).bind(t.outcome.reason).bind(t.outcome.advice).bind(t.hash);
   s.bind(t.dt).bind(t.n_steps).bind(t.n_contacts).bind(static_cast<std::int64_t>(t.cracks.size()));
-  s.bind(t.seconds).bind(host.empty() ? host_name() : host).bind("phyllite " PHY_VERSION).bind(utc_now());
+  s.bind(t.seconds).bind(host.empty() ? host_name() : host).bind(phy::program).bind(utc_now());
   s.bind_blob(io::deflated(io::history_csv(t.history)))
       .bind_blob(io::deflated(io::cracks_csv(t.cracks, t.history.kind)));
   s.run();
