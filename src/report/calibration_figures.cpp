@@ -73,6 +73,7 @@ class LaboratoryPanels {
   double beside_;  // [deg]
 };
 
+constexpr double alone = 0.5;             ///< height over width of one panel, as wide as the page
 constexpr std::size_t fewest_joined = 5;  ///< angles; of fewer nobody would draw a curve
 
 /// Between the angles of a table: the model, joined by straight lines, and dashed because it is no
@@ -85,7 +86,7 @@ void add_between(const Calibration& c, const Target& test, Panel& panel) {
   std::sort(rows.begin(), rows.end(),
             [](const Comparison& a, const Comparison& b) { return a.target.theta < b.target.theta; });
   Series bare{"model alone, packings of the fit", Mark::line, Role::bare},
-      band{"model with its discrepancy, 95 %", Mark::band, Role::interval};
+      band{"model with its discrepancy, 95 %", Mark::band, Role::between};
   const double f = measured(test.property).shown.factor;
   for (const Comparison& row : rows) bare.points.push_back({row.target.theta, f * row.mean});
   for (const AngleFactor& a : c.discrepancy) {
@@ -139,6 +140,7 @@ Figure calibration_figure(const Calibration& c) {
     add_model(c, test, panels.beside(), figure.panels.back());
     add_between(c, test, figure.panels.back());
   }
+  if (figure.panels.size() == 1) figure.aspect = alone;
   fit_over_angles(figure);
   return figure;
 }

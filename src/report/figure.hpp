@@ -43,6 +43,7 @@ enum class Role {
   laboratory,
   specimen,  ///< single ones of the laboratory
   interval,
+  between,  ///< the interval at every angle between those of the table
   theory,
   left_out,  ///< predicted without the value
   intact,

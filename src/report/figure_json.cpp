@@ -13,8 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 7> marks = {"line", "points", "dots", "text", "band", "boxes", "area"};
-constexpr std::array<const char*, 16> roles = {
-    "ordered", "listed",   "plain",  "model",  "bare",  "laboratory", "specimen", "interval",
+constexpr std::array<const char*, 17> roles = {
+    "ordered", "listed",   "plain",  "model",  "bare",  "laboratory", "specimen", "interval", "between",
     "theory",  "left_out", "intact", "others", "level", "crack",      "bedding",  "frame"};
 constexpr std::array<const char*, 3> keys = {"none", "shared", "inside"};
 

@@ -263,7 +263,7 @@ TEST(Figures, WithFiveAnglesTheModelAndWhatItMissesStandBetweenThem) {
   c.discrepancy = {{c.fitted[0].target, 10.0, 1.1, 1.0, 1.2}, {c.fitted[0].target, 90.0, 1.0, 0.9, 1.1}};
   const Panel panel = figure_of(c).panels.at(0);
   EXPECT_EQ(only(panel, Role::bare, Mark::line).points.size(), 5U);
-  const Series band = only(panel, Role::interval, Mark::band);
+  const Series band = only(panel, Role::between, Mark::band);
   ASSERT_EQ(band.points.size(), 2U);
   EXPECT_NEAR(band.points[0].y, 105.0 * 1.1, 1e-6);
   EXPECT_NEAR(band.points[0].low, 105.0, 1e-6);

@@ -57,7 +57,8 @@ inline Color paper_color(Role role, std::size_t number, double shade) {
     case Role::model:
     case Role::bare: return 0x0072b2;
     case Role::specimen: return 0x555555;
-    case Role::interval: return 0xc4dcee;
+    case Role::interval: return 0xa9cbe6;
+    case Role::between: return 0xe9e6e1;
     case Role::theory: return 0x9a3f7d;
     case Role::left_out: return 0xd55e00;
     case Role::others: return 0x444444;

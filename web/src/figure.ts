@@ -56,7 +56,7 @@ export const axisLabel = (a: { quantity: string; unit: string }) => (a.unit ? `$
 // --- looks ---------------------------------------------------------------------------------------------------
 
 const ordered = ["#4f6bd8", "#2b93cf", "#12a594", "#5aa343", "#b0920f", "#e0762a", "#d1466f"];
-const inks: Record<string, string> = { model: "var(--accent)", bare: "var(--accent)", interval: "var(--accent)", theory: "var(--theory)", left_out: "var(--pull)", intact: "var(--intact)", others: "var(--muted)", frame: "var(--line)" };
+const inks: Record<string, string> = { model: "var(--accent)", bare: "var(--accent)", interval: "var(--accent)", between: "var(--muted)", theory: "var(--theory)", left_out: "var(--pull)", intact: "var(--intact)", others: "var(--muted)", frame: "var(--line)" };
 const dashes: Record<string, string> = { theory: "7 4", bare: "4 3", others: "7 4", bedding: "5 3" };
 const symbols = ["circle", "square", "triangle", "diamond", "star", "wye", "cross"] as const;
 const signs: Record<string, string> = { circle: "●", square: "■", triangle: "▲", diamond: "◆", star: "★", wye: "Y", cross: "✚", times: "×" };
@@ -108,7 +108,7 @@ function marksOf(s: Series, dots: Dot[], faded: boolean): Plot.Markish[] {
     case "text":
       return faded ? [] : [Plot.text(dots, { ...xy, text: "text", dy: -13, fill: color === "var(--line)" ? "var(--muted)" : color, fontWeight: 600, stroke: surface, strokeWidth: 4 })];
     case "band":
-      return [Plot.areaY(dots, { x: "x", y1: "low", y2: "high", fill: color, fillOpacity: 0.55 })];
+      return [Plot.areaY(dots, { x: "x", y1: "low", y2: "high", fill: color, fillOpacity: s.role === "between" ? 0.16 : 0.55 })];
     case "boxes":
       return [Plot.rect(dots, { x1: (d: Dot) => d.x - s.width / 2, x2: (d: Dot) => d.x + s.width / 2, y1: "low", y2: "high", fill: color, fillOpacity: s.role === "interval" ? 0.22 : 1 })];
     case "area":
@@ -207,7 +207,8 @@ export function legend(panels: Panel[], choose?: (item: number) => void): HTMLEl
   const sign = (s: Series) => {
     if (s.mark === "line") return h("i", { class: dashes[s.role] ? "line" : "line solid", style: `border-color:${colorOf(s)}` });
     if (s.mark === "points" || s.mark === "dots") return h("span", { style: `color:${s.role === "level" ? "var(--ink)" : colorOf(s)}`, "aria-hidden": "true" }, s.mark === "dots" ? "•" : s.role === "laboratory" ? "◇" : signs[symbolOf(s)]);
-    return h("i", { style: `background:${s.role === "interval" ? "color-mix(in srgb, var(--accent) 25%, var(--surface))" : colorOf(s)}` });
+    const share = s.role === "interval" ? 25 : s.role === "between" ? 16 : 100;
+    return h("i", { style: `background:color-mix(in srgb, ${colorOf(s)} ${share}%, var(--surface))` });
   };
   const entry = (s: Series) => {
     if (!choose || s.item < 0 || s.mark !== "line") return h("li", {}, sign(s), s.name);
