@@ -142,23 +142,22 @@ class Work:
 
     def __init__(self, plan, names, seeds, effort, results):
         self.results = results
-        self.runs = {n: [Run(results / n / str(s), n, s, options_of(plan, n, effort)) for s in seeds] for n in names}
-        self.sequences = {n: Run(results / n / "sequence", n, seeds[0], ["--method", "sequence"])
-                          for n in names if plan["rock"][n].get("sequence")}
+        seeds_of = lambda entry: seeds or entry.get("seeds", plan["seeds"])
+        self.runs = {n: [Run(results / n / str(s), n, s, options_of(plan, n, effort)) for s in seeds_of(plan["rock"][n])] for n in names}
         self.predictions = []
         for p in plan["prediction"]:
             if p["rock"] not in names:
                 continue
             own = not (p.keys() & {"without_rows", "without_columns"}) and p["model"] == "choose"
             runs = self.runs[p["rock"]] if own else [
-                Run(results / p["name"] / str(s), p["rock"], s, options_of(plan, p["rock"], effort), p) for s in seeds]
+                Run(results / p["name"] / str(s), p["rock"], s, options_of(plan, p["rock"], effort), p) for s in seeds_of(p)]
             self.predictions.append((p, runs))
 
     def calibrations(self):
         """Longest first: the last ones of a pool should be short."""
-        all_runs = [r for runs in self.runs.values() for r in runs] + list(self.sequences.values())
+        all_runs = [r for runs in self.runs.values() for r in runs]
         all_runs += [r for _, runs in self.predictions for r in runs if r not in all_runs]
-        return sorted(all_runs, key=lambda r: ("normal" not in r.options, "sequence" not in r.options, "quick" not in r.options))
+        return sorted(all_runs, key=lambda r: ("normal" not in r.options, "quick" not in r.options))
 
     def do(self, program, workers):
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
@@ -196,12 +195,12 @@ def main():
     if unknown := set(args.only) - plan["rock"].keys():
         sys.exit(f"rocks: not in data/rocks/plan.toml: {', '.join(sorted(unknown))}")
     names = [n for n in plan["rock"] if not args.only or n in args.only]
-    work = Work(plan, names, args.seeds or plan["seeds"], args.effort, results)
+    work = Work(plan, names, args.seeds, args.effort, results)
     if not args.write_only:
         work.do(args.program, args.workers)
     target = results / "trial" if args.effort or args.seeds else ROOT
     for name in names:
-        card = card_of(BASE / name, work.runs[name], work.sequences.get(name), [x for x in work.predictions if x[0]["rock"] == name])
+        card = card_of(BASE / name, work.runs[name], [x for x in work.predictions if x[0]["rock"] == name])
         write_rock(target / "data/rocks" / name, card, work.runs[name][0])
     rocks_pages.write(target, plan, args.program, results)
 

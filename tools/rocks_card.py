@@ -178,7 +178,7 @@ def about_of(folder):
 def why_not(run):
     """Of a table that nothing can be fitted to: the last line of the program."""
     lines = [line for line in (run.folder / "log").read_text(encoding="utf-8").splitlines() if line.strip()]
-    return re.sub(r"^\S+: ", "", lines[-1]) if lines else "not run"
+    return re.sub(r"^.*: table: ", "", lines[-1]).split(";")[0] if lines else "not run"
 
 
 def read(run):
@@ -186,13 +186,7 @@ def read(run):
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
 
 
-def sequence_card(run):
-    found = read(run)
-    return {} if found is None else {"sequence": {"errors": {p: e[0] for p, e in errors_of([found]).items()}, "runs": found["runs"],
-                                                  "cpu_s": seconds(run.folder)}}
-
-
-def card_of(folder, runs, sequence, predictions):
+def card_of(folder, runs, predictions):
     card = about_of(folder)
     done = [(r, d) for r in runs if (d := read(r)) is not None]
     if not done:
@@ -210,8 +204,6 @@ def card_of(folder, runs, sequence, predictions):
              "statuses": [d["verdict"]["status"] for d in found], "models": [d["layers"] for d in found],
              "missed": missed(found), "errors": errors_of(found), "left_out": left_out_of(found),
              "intervals": {"hold": inside, "of": of}, "cells": cells_of(found)}
-    if sequence is not None:
-        card |= sequence_card(sequence)
     card["predictions"] = [prediction_card(folder, p, r) for p, r in predictions]
     own = {r.folder for r in runs} | {r.folder for _, rs in predictions for r in rs}
     card |= {"tests": sum(d["runs"]["strength_tests"] for d in found), "cpu_s": sum(seconds(f) + sum(

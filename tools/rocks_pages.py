@@ -105,16 +105,21 @@ def use_of(card):
     if "errors" not in card:
         return f"No model: {verdict['lines'][0].rstrip('.')}. The table serves for comparison alone."
     good, bad = joined(verdict["good_for"]), joined(verdict["not_good_for"])
-    parts = [f"The model of {card['title']} ends \"{verdict['status']}\"."]
-    parts.append(f"It may be used for: {good}." if good else "The table alone supports no use of the model.")
+    parts = [f"The verdict on the model of {card['title']} is \"{verdict['status']}\"."]
+    parts.append(f"The model may be used for: {good}." if good else
+                 "Too few specimens, or no stated scatter: the table shows no use. The errors say how near the model comes."
+                 if verdict["status"] == "not decided" else "The table supports no use of the model.")
     if bad:
-        parts.append(f"It must not be used for: {bad}.")
+        parts.append(f"Not good for, or not shown: {bad}.")
     for p, e in card["errors"].items():
         size = f"{sum(e) / len(e):.2f}" if p == "nu" else per_cent(e)
         parts.append(f"On unseen packings {p} is off by {size} (rms).")
     for p, y in card["left_out"].items():
         parts.append(f"Between the measured angles {p} is predicted within {per_cent(y['with_discrepancy'])}; "
-                     + (f"the best curve, a {CURVES.get(y['best'], y['best'])}, has {per_cent([y['best_error']])}." if y["best"] else "no curve compares."))
+                     + (f"the best curve, {CURVES.get(y['best'], y['best'])}, has {per_cent([y['best_error']])}." if y["best"] else "no curve compares."))
+    for p in card["predictions"]:
+        if "rms" in p:
+            parts.append(f"Predicted before it was compared, {p['text']}: {per_cent(p['rms'])} (rms); {p['yardstick']} has {per_cent([p['yardstick_rms']])}.")
     return " ".join(parts)
 
 
@@ -174,9 +179,8 @@ def paper_page(card, picture):
             ["left out, with discrepancy", per_cent(y["with_discrepancy"])], ["left out, model alone", per_cent(y["model"])],
             [f"left out, best curve ({CURVES.get(y['best'], y['best'])})", per_cent([y["best_error"]])],
             ["left out, over the best curve", times(y["ratio"])]]
-    if "sequence" in card:
-        rows.append(["the paper's sequence: UCS, unseen packings", per_cent([card["sequence"]["errors"]["UCS"]])])
     text += "## In numbers\n" + table(["what", "value (range over first packings)"], rows)
+    text += "\nThe paper's sequence begins with E. The table has none, so that `--method sequence` cannot be compared here.\n"
     text += "\n## Where it misses, and why\n" + f"The largest error is at {worst['theta [deg]']:g} degrees: {100 * worst['error']:+.1f} %.\n"
     text += "".join(f"{c}\n" for c in card["verdict"]["causes"]) + "\n" + "".join(f"- {c}\n" for c in card["cautions"])
     return text.rstrip() + "\n"

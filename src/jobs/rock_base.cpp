@@ -10,6 +10,7 @@
 
 #include "base/embedded.hpp"
 #include "base/spelling.hpp"
+#include "base/units.hpp"
 #include "report/rock_cards.hpp"
 #include "rock/file.hpp"
 
@@ -125,9 +126,10 @@ rock::Start start_like(const std::string& name) {
   rock::Start start;
   start.layers = model.layers, start.matrix = model.matrix;
   start.size = like.model.specimen;
-  if (like.grains_stated) start.grain_size = grain_size(like.model);
+  if (like.grains_stated) start.grain_size = rounded(grain_size(like.model), 4);
   start.bedded = like.bedded;
-  if (like.bedded && !like.model.bedding.empty()) start.spacing = like.model.bedding.front().spacing;
+  if (like.bedded && !like.model.bedding.empty())
+    start.spacing = rounded(like.model.bedding.front().spacing, 4);
   return start;
 }
 
