@@ -3,6 +3,7 @@
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
 # make docs      the documents as a searchable site          make web      bundle the pages anew
+# make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (80 minutes of CPU, resumed)
 # make lint      format, floors, functions, comments         make tidy     clang-tidy
 # make sanitize  tests under the sanitizers                  make coverage lines that the tests run, room by room
 # make fuzz      every reader under libFuzzer                make bench    measure the speed of the press
@@ -161,6 +162,13 @@ maps: build
 	@mkdir -p results
 	$(BUILD)/maps data/maps results/maps.sqlite
 	python3 tools/maps.py data/maps docs/theory/reach.md
+
+# Measured rocks: data/rocks/NAME/card.json and calibrated.toml, docs/rocks.md, docs/boryeong.md, measured/rocks.csv. What is finished in
+# results/rocks is kept. The program takes the cards in, so that it is built again.
+rocks: program
+	python3 tools/rocks.py $(BUILD)/phyllite
+	python3 tools/status.py
+	@$(call made,release) --target phyllite
 
 # Beside Yade (Debian: yade), some minutes, never part of CI: the paper's specimen in both, one core each; and its laws made
 # equal, for bench/peers/equal.csv, which `make evidence` quotes.

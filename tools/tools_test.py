@@ -2,12 +2,16 @@
 """Hard cases of the reader of C++ and of the comparison of calibrations (part of `make lint`)."""
 import json
 import pathlib
+import stat
 import tempfile
+import tomllib
 import unittest
 
 import check_docs
 import compare_calibrations
 import cpp_text
+import rocks
+import rocks_card
 import status
 
 HARD = r'''
@@ -130,6 +134,68 @@ class Status(unittest.TestCase):
             self.assertEqual(status.holds(goal, value, unit), expected, goal)
         with self.assertRaises(ValueError):
             status.holds("<= 3 s", "2", "%")
+
+
+PREDICTION = {"name": "p", "property": "sigma_1", "confining": [5], "truth": "envelope.csv", "from_confining": 0, "phi": 30,
+              "text": "t", "yardstick": "y", "model": "choose", "without_columns": ["BTS [MPa]"], "without_rows": {"theta [deg]": "90"}}
+
+
+class Rocks(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def test_what_is_predicted_is_not_in_the_table_of_the_fit(self):
+        text = "# of somebody\ntheta [deg],UCS [MPa],BTS [MPa]\n0,50,5\n90,60,6\n"
+        self.assertEqual(rocks.rows_without(text, PREDICTION), "theta [deg],UCS [MPa]\n0,50\n")
+
+    def test_truth_and_yardstick_by_hand(self):
+        (self.folder / "table.csv").write_text("theta [deg],UCS [MPa]\n0,50\n0,70\n")
+        (self.folder / "envelope.csv").write_text("theta [deg],c [MPa],phi [deg]\n0,10,30\n")
+        # N is 3 at 30 degrees: 2 c sqrt(3) + 3 x 5, and 60 + 3 x 5
+        self.assertAlmostEqual(rocks_card.truth_of(self.folder, PREDICTION)[5, 0.0], 20 * 3**0.5 + 15)
+        self.assertAlmostEqual(rocks_card.yardstick_of(self.folder, PREDICTION, (5, 0.0)), 75)
+
+    def test_a_prediction_is_compared_with_what_was_measured(self):
+        (self.folder / "table.csv").write_text("theta [deg],UCS [MPa]\n0,60\n")
+        (self.folder / "envelope.csv").write_text("theta [deg],c [MPa],phi [deg]\n0,10,30\n")
+        truth = 20 * 3**0.5 + 15
+        (self.folder / "p-5/out").mkdir(parents=True)
+        (self.folder / "p-5/out/band.csv").write_text(f"theta [deg],number,median,low,high\n0,sigma_1,{1.1e6 * truth},{0.9e6 * truth},9e9\n")
+        card = rocks_card.prediction_card(self.folder, PREDICTION, [type("Run", (), {"folder": self.folder})])
+        self.assertAlmostEqual(card["rms"][0], 0.1)
+        self.assertEqual((card["inside"], card["of"]), (1, 1))
+        self.assertAlmostEqual(card["yardstick_rms"], 75 / truth - 1)
+
+    def test_what_is_finished_is_not_run_again_but_by_another_program(self):
+        program, count = self.folder / "program", self.folder / "count"
+        for words in ("one", "one", "another"):
+            program.write_text(f"#!/bin/sh\necho {words} >>{count}\nexit 1\n")
+            program.chmod(program.stat().st_mode | stat.S_IXUSR)
+            self.assertEqual(rocks.timed([program], self.folder, "calibration"), 1)
+        self.assertEqual(count.read_text(), "one\nanother\n")
+
+    def test_another_table_begins_anew(self):
+        run = rocks.Run(self.folder / "run", "tournemire-shale", 1, ["--elastic"])
+        run.prepare()
+        (run.folder / "kept").touch()
+        run.prepare()
+        self.assertTrue((run.folder / "kept").exists())
+        run.table += "95,20\n"
+        run.prepare()
+        self.assertFalse((run.folder / "kept").exists())
+
+    def test_every_rock_is_planned_and_its_rows_name_their_sources(self):
+        plan = tomllib.loads((rocks.BASE / "plan.toml").read_text(encoding="utf-8"))
+        self.assertEqual({p.parent.name for p in rocks.BASE.glob("*/rock.toml")}, set(plan["rock"]))
+        for name in plan["rock"]:
+            about = rocks_card.about_of(rocks.BASE / name)
+            card = json.loads((rocks.BASE / name / "card.json").read_text(encoding="utf-8"))
+            self.assertEqual({k: card[k] for k in about}, about, f"{name}: make rocks")
+            if (table := rocks.BASE / name / "table.csv").exists() and name != "coal":
+                named = {line.split(",")[-2] for line in table.read_text(encoding="utf-8").splitlines()[1:]}
+                self.assertEqual(named, {s["key"] for s in about["sources"]}, name)
 
 
 if __name__ == "__main__":

@@ -37,8 +37,8 @@ Path = Union[str, "_os.PathLike[str]"]
 
 __all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "Finding", "InputError", "InternalError",
            "IoError", "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
-           "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "run",
-           "study", "theory", "__version__"]
+           "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "rock",
+           "rocks", "run", "study", "theory", "__version__"]
 
 
 def __dir__() -> List[str]:
@@ -216,6 +216,16 @@ def _rock(value: Any, function: str) -> Rock:
         return Rock.from_toml(value)
     raise TypeError(f"{function}: expected a Rock, or the name of a rock file (TOML); got {type(value).__name__}. "
                     "Rock.from_csv and Rock.from_dataframe make a Rock of a table")
+
+
+def rocks() -> List[str]:
+    """Names of the measured rocks that come with the program (docs/rocks.md)."""
+    return list(_core.rocks())
+
+
+def rock(name: str) -> Rock:
+    """One of them: phyllite.rock("boryeong-shale"). Raises InputError for another name."""
+    return Rock(_core.RockRecord.from_base(name))
 
 
 # ---- tests

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -20,6 +21,13 @@ TEST(Embedded, IsTheFile) {
     ASSERT_FALSE(text.empty()) << path;
     EXPECT_TRUE(embedded(path) == text) << path;
   }
+}
+
+TEST(Embedded, ListsWhatIsBelowAFolder) {
+  const auto below = embedded_below("data/maps/");
+  EXPECT_TRUE(std::ranges::find(below, "data/maps/flat-joint.csv") != below.end());
+  EXPECT_TRUE(std::ranges::is_sorted(below));
+  EXPECT_TRUE(embedded_below("data/nothing/").empty());
 }
 
 TEST(Embedded, IsNoFileThatWasNotTakenIn) {

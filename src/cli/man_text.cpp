@@ -130,9 +130,21 @@ const std::vector<ManText>& texts() {
        {{"NAME.toml, NAME.csv", "written by `phyllite rock new NAME`, with comments"}},
        {{"A rock to be filled in:", "phyllite rock new slate"},
         {"One whose table is there, CSV or .xlsx:",
-         "phyllite rock new gneiss --data examples/gneiss/gneiss.csv"},
-        {"What a measured table determines:", "phyllite rock check examples/gneiss/gneiss.toml"},
+         "phyllite rock new gneiss --data data/rocks/augen-gneiss/table.csv"},
+        {"The same, begun like a rock that was calibrated before:",
+         "phyllite rock new schist --data data/rocks/augen-gneiss/table.csv --like augen-gneiss"},
+        {"What a measured table determines:", "phyllite rock check data/rocks/augen-gneiss/rock.toml"},
         {"What a key means:", "phyllite rock --explain E_is"}}},
+      {"rocks",
+       "Measured rocks that come with the program: table, sources, and what a calibration of each came to on "
+       "packings that it had not seen. Without a name it lists them; with a name it shows the card of "
+       "one.\n\n"
+       "`phyllite rock check` names the nearest of them to a table, and `phyllite rock new NAME --like ROCK` "
+       "begins with the grain size, spacing and model of one.",
+       {{"FOLDER/rock.toml, table.csv, calibrated.toml, card.json",
+         "written by --out: the rock, its table, its calibrated model as a recipe for `phyllite run`, its "
+         "card"}},
+       {{"The list:", "phyllite rocks"}, {"One of them:", "phyllite rocks boryeong-shale"}}},
       {"show",
        "Prints the tables of a run again, from its folder: packing, strengths, moduli, cracks, quality. A "
        "file that "

@@ -14,6 +14,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/check_summary.hpp"
 #include "jobs/keys.hpp"
+#include "jobs/rock_base.hpp"
 #include "jobs/tables_reference.hpp"
 #include "rock/file.hpp"
 #include "rock/template.hpp"
@@ -52,8 +53,9 @@ void check_no_table(const std::string& given) {
                             sh_word(name), sh_word(table))});
 }
 
-/// `data`: a table that is there; without it one is written, too.
-int rock_new(const std::string& given, const std::string& data) {
+/// `data`: a table that is there; without it one is written, too. `like`: a measured rock, or nothing.
+int rock_new(const std::string& given, const std::string& data, const std::string& like) {
+  const rock::Start start = like.empty() ? rock::Start() : jobs::start_like(like);
   const std::string name = without_ending(given);
   check_free("rock new", name, {".toml"});
   const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
@@ -65,7 +67,7 @@ int rock_new(const std::string& given, const std::string& data) {
     io::read_file(data, largest_table);  // a file, and none that is too large
     const std::filesystem::path from = std::filesystem::absolute(toml).parent_path();
     const std::string table = std::filesystem::proximate(std::filesystem::absolute(data), from).string();
-    io::write_file(toml.string(), rock::rock_template(stem, table));
+    io::write_file(toml.string(), rock::rock_template(stem, table, start));
     print_out("{} names the table; how it is read and what it determines:\n  phyllite rock check {}\n",
               toml.string(), sh_word(toml.string()));
     return 0;
@@ -73,7 +75,7 @@ int rock_new(const std::string& given, const std::string& data) {
   check_no_table(given);
   io::write_file(csv.string(), rock::rock_table_template());
   try {
-    io::write_file(toml.string(), rock::rock_template(stem, stem + ".csv"));
+    io::write_file(toml.string(), rock::rock_template(stem, stem + ".csv", start));
   } catch (const IoError&) {
     std::filesystem::remove(csv);  // both or none: the next try wants free names
     throw;
@@ -127,14 +129,19 @@ int rock_twin(const std::string& recipe_file, const std::string& name, ModulusRe
 }
 
 void add_new(CLI::App& rock, Session& session) {
-  auto name = std::make_shared<std::string>("rock"), data = std::make_shared<std::string>();
+  auto name = std::make_shared<std::string>("rock"), data = std::make_shared<std::string>(),
+       like = std::make_shared<std::string>();
   CLI::App* verb = rock.add_subcommand("new", "write NAME.toml and NAME.csv to be filled in");
   verb->add_option("name", *name, "name of the rock")->capture_default_str();
   verb->add_option(
           "--data", *data,
           "a table that is there (CSV, .xlsx, AGS 4): NAME.toml names it, and no NAME.csv is written")
       ->type_name("FILE");
-  verb->callback([name, data, &session] { session.exit_code = rock_new(*name, *data); });
+  verb->add_option("--like", *like,
+                   "a measured rock (phyllite rocks): begin with its grain size, spacing and model")
+      ->type_name("ROCK")
+      ->check(suggested(jobs::base_rocks));
+  verb->callback([name, data, like, &session] { session.exit_code = rock_new(*name, *data, *like); });
 }
 
 void add_check(CLI::App& rock, Session& session) {

@@ -120,6 +120,7 @@ std::vector<Finding> summary_of(const RockCheck& check, int threads) {
                        {{"with_nu", check.evidence.has(Property::nu) ? 1.0 : 0.0}}});
       break;
     }
+  if (check.neighbour) lines.push_back(*check.neighbour);
   if (!check.parameters.empty()) lines.push_back(open_parameters(check.parameters));
   lines.push_back(check.forecast.empty() ? Finding{Kind::forecast_none} : check.forecast.front());
   add_course(check, threads, lines);

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "jobs/rock_base.hpp"
 #include "maps/candidates.hpp"
 #include "maps/forecast.hpp"
 #include "maps/placing.hpp"
@@ -16,8 +17,16 @@
 
 namespace phy::jobs {
 RockCheck check(const Rock& read) {
-  RockCheck found{
-      Evidence(maps::with_model(read, read.layers, read.matrix)), Evidence(read), {}, {}, {}, {}, {}, {}, {}};
+  RockCheck found{Evidence(maps::with_model(read, read.layers, read.matrix)),
+                  Evidence(read),
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
   const Evidence& evidence = found.evidence;
   found.doubts = survey::doubts_about(evidence);
   found.statements = survey::closed_forms(evidence);
@@ -33,6 +42,7 @@ RockCheck check(const Rock& read) {
   found.in_maps = report::sentences(survey::cells_in(read, maps::place_in_maps(evidence)));
   if (const auto forecast = maps::forecast_of(found.as_read))
     found.forecast = survey::cells_in(read, maps::findings_of(*forecast));
+  found.neighbour = nearest_rock(evidence.targets);
   return found;
 }
 

@@ -1,5 +1,6 @@
 // What the data of a rock can and cannot determine, before anything runs.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct RockCheck {
   std::vector<Finding> limits;                ///< what the table lacks, or no model has
   std::vector<std::string> in_maps;           ///< where the table lies in the maps of what models reach
   std::vector<Finding> forecast;              ///< of the verdict, its end first; empty: there is none
+  std::optional<Finding> neighbour;           ///< the measured rocks that are nearest
 };
 RockCheck check(const Rock& read);
 

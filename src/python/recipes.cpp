@@ -11,6 +11,7 @@
 #include "jobs/check_summary.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/machine.hpp"
+#include "jobs/rock_base.hpp"
 #include "python/module.hpp"
 #include "records/calibration.hpp"
 #include "records/recipe_schema.hpp"
@@ -246,12 +247,17 @@ void add_recipes(py::module_& m) {
                             "Everything that a run depends on, checked and completed. Not to be changed.");
   add_makers(recipe), add_contents(recipe);
 
+  m.def("rocks", &jobs::base_rocks);
   py::class_<NamedRock>(m, "RockRecord")
       .def_static("from_toml",
                   [](const std::string& path) {
                     return NamedRock{rock::read_rock(path), path};
                   })
       .def_static("from_keys", &rock_of)
+      .def_static("from_base",
+                  [](const std::string& name) {
+                    return NamedRock{jobs::base_rock(name), name};
+                  })
       .def_property_readonly("name", [](const NamedRock& r) { return r.rock.name; })
       .def_property_readonly("notes", [](const NamedRock& r) { return r.rock.notes; })
       .def_property_readonly("targets", &rows_of_targets)

@@ -395,6 +395,17 @@ std::string advice_of_table(Advice advice, F of) {
 
 namespace {
 
+/// By each property the measured rock with the most similar curve.
+std::string nearest_rock(F f) {
+  const std::vector<double> differences = each(f, "difference");
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < f.cells.size(); ++i)
+    items.push_back(fmt::format("{} by {} (the curves differ by {:.0f} %)", f.names[2 * i],
+                                to_string(f.cells[i].property), 100.0 * differences[i]));
+  return fmt::format("Nearest of the measured rocks: {}. See: phyllite rocks {}.", list_text(items),
+                     f.names[1]);
+}
+
 const std::vector<Wording>& words_in_short() {
   static const std::vector<Wording> list = {
       {Kind::table_angles, table_angles},
@@ -403,6 +414,7 @@ const std::vector<Wording>& words_in_short() {
       {Kind::no_doubts, [](F) -> std::string { return "Doubts: none."; }},
       {Kind::more_doubts,
        [](F f) { return fmt::format("{} more.", counted_text(f.number("doubts"), "doubt")); }},
+      {Kind::nearest_rock, nearest_rock},
       {Kind::parameters_open, parameters_open},
       {Kind::parameters_known,
        [](F) -> std::string { return "The table determines every parameter that is sought."; }},

@@ -1,6 +1,11 @@
 #include "rock/template.hpp"
 
+#include <algorithm>
+
+#include "base/check.hpp"
 #include "base/quote.hpp"
+#include "base/units.hpp"
+#include "records/rock_model.hpp"
 
 namespace phy::rock {
 namespace {
@@ -68,10 +73,30 @@ theta [deg],E [GPa],E_sd [GPa],nu,nu_sd,UCS [MPa],UCS_sd [MPa],n
 90,,,,,,,
 )";
 
+/// The line that shows the key, in a comment or not; the explanation behind it stays.
+void set_key(std::string& text, const std::string& key, const std::string& value) {
+  const std::string shown = key + " = ";
+  std::size_t line = text.find("\n# " + shown);
+  if (line == text.npos) line = text.find("\n" + shown);
+  PHY_CHECK(line != text.npos, "a key that the template shows");
+  const std::size_t end = std::min(text.find('\n', line + 1), text.find("  #", line + 1));
+  text.replace(line + 1, end - line - 1, shown + value);
+}
+
 }  // namespace
 
-std::string rock_template(const std::string& name, const std::string& file) {
-  return before_name + name + before_table + toml_string(file) + after_table;
+std::string rock_template(const std::string& name, const std::string& file, const Start& start) {
+  std::string keys = after_table;
+  const auto length = [](double value) { return toml_string(print_quantity(value, Dimension::length)); };
+  if (!start.bedded) set_key(keys, "bedded", "false");
+  if (!start.layers.empty()) set_key(keys, "layers", toml_string(start.layers));
+  if (!start.matrix.empty()) set_key(keys, "matrix", toml_string(start.matrix));
+  if (start.grain_size) set_key(keys, "grain_size", length(*start.grain_size));
+  // Directions of bonds have no spacing.
+  if (start.spacing && start.layers != to_string(LayerModel::directions))
+    set_key(keys, "spacing", length(*start.spacing));
+  set_key(keys, "width", length(start.size.width)), set_key(keys, "height", length(start.size.height));
+  return before_name + name + before_table + toml_string(file) + keys;
 }
 
 std::string rock_table_template() { return table_template; }

@@ -54,6 +54,32 @@ TEST_F(RockCli, TheNameOfATableIsTakenForThatOfTheRock) {
   EXPECT_EQ(run("rock new " + at("mine") + " --data " + table), 0) << "what is advised is taken: " << output;
 }
 
+TEST_F(RockCli, MeasuredRocksAreListedShownAndTaken) {
+  ASSERT_EQ(run("rocks"), 0) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("boryeong-shale"), HasSubstr("augen-gneiss")));
+  ASSERT_EQ(run("rocks boryeong-shale"), 0) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("Boryeong shale"), HasSubstr("Secondary"), HasSubstr("Source: ")));
+  EXPECT_EQ(run("rocks boryeong-shal"), 2);
+  EXPECT_THAT(output, HasSubstr("did you mean boryeong-shale?"));
+  for (const char* rock :
+       {"boryeong-shale", "th26-shale"}) {  // the table of the other one is beside its folder
+    ASSERT_EQ(run(std::string("rocks ") + rock + " --out " + at(rock)), 0) << output;
+    EXPECT_EQ(run("rock check " + at(rock) + "/rock.toml"), 0) << output;
+  }
+}
+
+TEST_F(RockCli, ANewRockBeginsLikeAMeasuredOne) {
+  const std::string table = write("mine.csv", "theta [deg],UCS [MPa]\n0,90\n45,60\n90,120\n");
+  ASSERT_EQ(run("rock new " + at("mine") + " --data " + table + " --like augen-gneiss"), 0) << output;
+  EXPECT_THAT(read(at("mine.toml")),
+              AllOf(HasSubstr("\nspacing = \"10 mm\""), HasSubstr("\ngrain_size = \"2.231 mm\""),
+                    HasSubstr("\nwidth = \"51 mm\"")));
+  ASSERT_EQ(run("rock check " + at("mine.toml")), 0) << output;
+  EXPECT_THAT(output, HasSubstr("Nearest of the measured rocks: "));
+  EXPECT_EQ(run("rock new " + at("other") + " --like no-rock"), 2);
+  EXPECT_FALSE(fs::exists(at("other.toml")) || fs::exists(at("other.csv")));
+}
+
 TEST_F(RockCli, ATwinWritesOverNothing) {
   write("mine.csv", "precious\n");
   ASSERT_EQ(run("rock twin " + write("m.toml", "") + " " + at("mine")), 2) << output;

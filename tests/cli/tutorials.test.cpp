@@ -68,7 +68,8 @@ bool printed(const std::string& output, const std::string& expected) {
 class Tutorial : public ProgramTest, public testing::WithParamInterface<fs::path> {};
 
 TEST_P(Tutorial, IsDoneAsItIsWritten) {
-  fs::create_symlink(fs::path(PHY_SOURCE_DIR) / "examples", at("examples"));
+  for (const char* shared : {"examples", "data"})
+    fs::create_symlink(fs::path(PHY_SOURCE_DIR) / shared, at(shared));
   const std::string path = fs::path(PHY_PROGRAM).parent_path().string();
   std::string all;  // what the last block of sh has printed
   int n_commands = 0;

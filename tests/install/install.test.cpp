@@ -172,6 +172,7 @@ TEST_F(Install, PagesAreCleanForThoseWhoReadThem) {
 /// All but those of minutes, on the examples with a specimen of 330 discs in place of larger ones.
 TEST_F(Install, ExamplesOfThePagesRun) {
   fs::copy(fs::path(PHY_SOURCE_DIR) / "examples", at("examples"), fs::copy_options::recursive);
+  fs::copy(fs::path(PHY_SOURCE_DIR) / "data", at("data"), fs::copy_options::recursive);
   for (const char* recipe : {"pfc2d/specimen", "paper/press", "lab/brazilian"})
     fs::copy(small_recipe(), at("examples/") + recipe + ".toml", fs::copy_options::overwrite_existing);
   const std::set<std::string> long_ones = {"phyllite verify", "phyllite verify --hash",
@@ -213,7 +214,7 @@ TEST_F(Install, FilesAreWhereTheyBelongAndTheProgramRunsThere) {
           std::string("share/fish/vendor_completions.d/phyllite.fish"), "share/zsh/" + zsh + "/_phyllite",
           std::string("share/doc/phyllite/copyright"), std::string("share/doc/phyllite/README.md"),
           std::string("share/doc/phyllite/docs/install.md"),
-          std::string("share/doc/phyllite/data/rocks/dyn_th26.csv")})
+          std::string("share/doc/phyllite/data/rocks/th26-shale/card.json")})
       EXPECT_TRUE(fs::exists(fs::path(at_prefix) / file)) << file;
     for (const std::string& verb : help_of("").verbs)
       EXPECT_TRUE(fs::exists(at_prefix + "/share/man/man1/phyllite-" + verb + ".1.gz")) << verb;
@@ -222,9 +223,9 @@ TEST_F(Install, FilesAreWhereTheyBelongAndTheProgramRunsThere) {
                        "/share/doc/phyllite/examples/lab/brazilian.toml"),
               0)
         << output;
-    EXPECT_EQ(run_line(program + "rock check " + at_prefix +
-                       "/share/doc/phyllite/examples/shale-elastic/th26.toml"),
-              0)
+    EXPECT_EQ(
+        run_line(program + "rock check " + at_prefix + "/share/doc/phyllite/data/rocks/th26-shale/rock.toml"),
+        0)
         << output;
     EXPECT_EQ(run_line("zcat " + at_prefix + "/share/man/man1/phyllite-run.1.gz"), 0);
     EXPECT_THAT(output, HasSubstr(".SH EXAMPLES"));

@@ -1,0 +1,131 @@
+#include "report/rock_cards.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/text_table.hpp"
+#include "io/json.hpp"
+
+namespace phy::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parsed(std::string_view card) { return io::parse_json<Json>(card); }
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
+
+/// "5.1 %", of an error of nu "0.02"; a range where several calibrations differ.
+std::string error_text(const std::string& property, const std::vector<double>& values) {
+  const bool share = property != "nu";
+  const double scale = share ? 100.0 : 1.0;
+  const int digits = share ? 1 : 3;
+  const auto [low, high] = std::ranges::minmax(values);
+  std::string text = fmt::format("{:.{}f}", median(values) * scale, digits);
+  if (values.size() > 1)
+    text += fmt::format(" ({:.{}f} - {:.{}f})", low * scale, digits, high * scale, digits);
+  return text + (share ? " %" : "");
+}
+
+/// "UCS and BTS, 7 angles".
+std::string measured_text(const Json& card) {
+  const Json& measured = card.at("measured");
+  const std::string text =
+      fmt::format("{}", fmt::join(measured.at("properties").get<std::vector<std::string>>(), ", "));
+  const int angles = measured.at("angles");
+  return angles == 0 ? text : fmt::format("{}; {} angles", text, angles);
+}
+
+std::string errors_text(const Json& card) {
+  std::vector<std::string> items;
+  const Json errors = card.value("errors", Json::object());
+  for (const auto& [property, values] : errors.items())
+    items.push_back(fmt::format("{} {}", property, error_text(property, values.get<std::vector<double>>())));
+  return items.empty() ? "-" : fmt::format("{}", fmt::join(items, ", "));
+}
+
+/// Of values left out: the model's error over the best curve's.
+std::string ratios_text(const Json& card) {
+  std::vector<std::string> items;
+  const Json left_out = card.value("left_out", Json::object());
+  for (const auto& [property, of] : left_out.items())
+    if (const auto ratios = of.at("ratio").get<std::vector<double>>(); !ratios.empty())
+      items.push_back(fmt::format("{} {:.2f}", property, median(ratios)));
+  return items.empty() ? "-" : fmt::format("{}", fmt::join(items, ", "));
+}
+
+std::string prediction_text(const Json& p) {
+  const std::string what = p.at("text");
+  if (!p.contains("rms")) return fmt::format("Predicted: {}: not run yet.\n", what);
+  return fmt::format(
+      "Predicted, written down before: {}: rms error {}, mean {:+.1f} %; {} of {} in the band. {}: {:.1f} "
+      "%.\n",
+      what, error_text("", p.at("rms").get<std::vector<double>>()),
+      100.0 * median(p.at("mean").get<std::vector<double>>()), p.at("inside").get<int>(),
+      p.at("of").get<int>(), p.at("yardstick").get<std::string>(),
+      100.0 * p.at("yardstick_rms").get<double>());
+}
+
+std::string course_text(const Json& card) {
+  return fmt::format(
+      "\nLayers: {}. First packings: {}. Verdicts: {}. {} tests, {:.0f} s of CPU, phyllite {}.\n",
+      card.at("layers").get<std::string>(), fmt::join(card.at("seeds").get<std::vector<int>>(), ", "),
+      fmt::join(card.at("statuses").get<std::vector<std::string>>(), "; "), card.at("tests").get<int>(),
+      card.at("cpu_s").get<double>(), card.at("program").get<std::string>());
+}
+
+}  // namespace
+
+std::string rock_list(const std::vector<std::string_view>& cards, int terminal_width) {
+  std::vector<Json> all;
+  for (const std::string_view card : cards) all.push_back(parsed(card));
+  const auto column = [&](const char* head, const auto& cell) {
+    Column c = column_of(head, "", all, cell);
+    c.left = true;
+    return c;
+  };
+  const auto word = [](const char* key) {
+    return [key](const Json& j) { return j.at(key).get<std::string>(); };
+  };
+  return text_table(
+      column("rock", word("name")),
+      {{column("kind", word("kind")), column("measured", measured_text),
+        column("verdict", [](const Json& j) { return j.at("verdict").at("status").get<std::string>(); }),
+        column("error on unseen packings", errors_text), column("left out, over best curve", ratios_text)}},
+      terminal_width);
+}
+
+std::string rock_card(std::string_view text, int terminal_width) {
+  const Json card = parsed(text);
+  std::string out =
+      fmt::format("{} ({})\n", card.at("title").get<std::string>(), card.at("kind").get<std::string>());
+  const Json& verdict = card.at("verdict");
+  if (verdict.contains("sentence")) out += verdict.at("sentence").get<std::string>() + "\n";
+  for (const Json& line : verdict.at("lines")) out += line.get<std::string>() + "\n";
+  if (card.contains("errors")) {
+    out += fmt::format(
+        "\nMeasured: {}\nErrors on unseen packings (rms): {}\nLeft out, over the best curve: {}\n",
+        measured_text(card), errors_text(card), ratios_text(card));
+    for (const Json& p : card.at("predictions")) out += prediction_text(p);
+    out += course_text(card);
+  }
+  out += "\n";
+  for (const Json& caution : card.at("cautions")) out += "- " + caution.get<std::string>() + "\n";
+  for (const Json& source : card.at("sources"))
+    out += fmt::format("Source: {} ({})\n", source.at("cite").get<std::string>(),
+                       source.at("licence").get<std::string>());
+  return wrapped(out, terminal_width, 2);
+}
+
+CardModel model_of_card(std::string_view text) {
+  const Json card = parsed(text);
+  return {card.value("layers", ""), card.value("matrix", "")};
+}
+
+}  // namespace phy::report
