@@ -12,12 +12,6 @@
 namespace phy::analysis {
 namespace {
 
-double mean_diameter(const std::vector<Disc>& discs) {
-  double sum = 0.0;
-  for (const Disc& d : discs) sum += 2.0 * d.r;
-  return sum / static_cast<double>(discs.size());
-}
-
 double largest_overlap(const Specimen& s) {
   double most = 0.0;
   for (const Contact& c : s.contacts) {
@@ -96,9 +90,16 @@ Number broken_at_start(const Specimen& specimen, const std::vector<CrackEvent>& 
   return share;
 }
 
+double grain_diameter(const Specimen& specimen) {
+  const std::vector<Disc>& discs = specimen.packing->discs;
+  double sum = 0.0;
+  for (const Disc& d : discs) sum += 2.0 * d.r;
+  return sum / static_cast<double>(discs.size());
+}
+
 std::vector<Number> specimen_checks(const Specimen& specimen) {
   const Packing& p = *specimen.packing;
-  const double diameter = mean_diameter(p.discs);
+  const double diameter = grain_diameter(specimen);
   std::vector<Number> out = {
       {"grains_across", std::min(p.width, p.height) / diameter, "1",
        "smaller side of the specimen / mean grain diameter", ""},

@@ -20,6 +20,9 @@ namespace phy::analysis {
 /// are taken away one after the other, and all that is cut off from the largest part.
 std::vector<Number> specimen_checks(const Specimen& specimen);
 
+/// Mean over the grains [m].
+double grain_diameter(const Specimen& specimen);
+
 /// broken_at_start: share of the bonds of the matrix that have broken up to a cycle, that at which loading
 /// began; joints may have hardly a strength on purpose. NaN where the matrix has no bonds.
 Number broken_at_start(const Specimen& specimen, const std::vector<CrackEvent>& cracks, std::int64_t step);

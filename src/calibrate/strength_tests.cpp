@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/analyse.hpp"
+#include "analysis/failure_plane.hpp"
 #include "base/check.hpp"
 #include "base/nan.hpp"
 #include "base/stats.hpp"
@@ -99,6 +100,27 @@ double number_of(const TestResult& result, const std::string& name) {
   if (!has_strength(result.outcome.status)) return std::nan("");
   const Number* n = analysis::find(result.numbers, name);
   return n != nullptr ? n->value : std::nan("");
+}
+
+/// Of the tests with a strength.
+FailureMode failure_of(std::span<const TestResult> results) {
+  std::vector<double> shares, angles;
+  FailureMode mode;
+  for (const TestResult& result : results) {
+    if (!has_strength(result.outcome.status)) continue;
+    const double share = number_of(result, "bedding_share"), angle = number_of(result, "failure_angle");
+    // The mirror image of such a specimen is as likely.
+    const bool alike = result.intact || result.theta == 0.0 || result.theta == 90.0;
+    if (std::isfinite(share)) shares.push_back(share);
+    if (std::isfinite(angle)) angles.push_back(alike ? std::fabs(angle) : angle);
+    ++mode.n_tests;
+  }
+  const Summary share = summarise(shares);
+  const analysis::MeanDirection direction = analysis::mean_direction(angles);
+  mode.bedding_share = share.mean, mode.bedding_share_sd = share.sd;
+  mode.angle = direction.angle, mode.angle_sd = direction.sd;
+  mode.n_planes = static_cast<int>(angles.size());
+  return mode;
 }
 
 /// A number of the same test on several packings; `number`: whose marks of quality count.
@@ -260,6 +282,7 @@ std::vector<Comparison> TestSeries::strengths() const {
     const Property property = targets_[i].property;
     rows.push_back(over_packings(targets_[i], results_[i], measured(property).number,
                                  [&](const TestResult& r) { return strength_of(r, property); }));
+    rows.back().failure = failure_of(results_[i]);
   }
   return rows;
 }

@@ -108,8 +108,10 @@ std::vector<std::string> files_in(const std::string& folder) {
 /// What a screen shows, with every detail.
 std::string tables_of(const Calibration& c) {
   const std::string eq2 = report::eq2_table(c, 0);
-  return fmt::format("{}\nDetails\n{}\n{}{}{}\nMethods\n{}\n\n{}", screen_of(c, 0), report::macro_table(c, 0),
-                     eq2, eq2.empty() ? "" : "\n", report::verdict_text(c, 0),
+  const std::string failure = report::failure_table(c, 0);
+  return fmt::format("{}\nDetails\n{}\n{}{}{}{}{}\nMethods\n{}\n\n{}", screen_of(c, 0),
+                     report::macro_table(c, 0), failure, failure.empty() ? "" : "\n", eq2,
+                     eq2.empty() ? "" : "\n", report::verdict_text(c, 0),
                      fmt::join(report::methods_text(c, phy::version), "\n"), report::sentence_text(c, 0));
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/analyse.hpp"
 #include "analysis/elastic.hpp"
+#include "analysis/failure_plane.hpp"
 #include "analysis/specimen_checks.hpp"
 #include "base/check.hpp"
 #include "base/nan.hpp"
@@ -403,7 +404,10 @@ void Procedure::read_numbers() {
   // Of the specimen as a body: waves run through it with its pores.
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
-  for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
+  analysis::add(result_.numbers,
+                analysis::failure_numbers(result_.cracks, analysis::grain_diameter(*specimen_),
+                                          !specimen_->bedding.empty()));
+  analysis::add(result_.numbers, analysis::specimen_checks(*specimen_));
   result_.numbers.push_back({"damping", recipe_.engine.damping, "1", "local damping coefficient", ""});
   // What the confinement broke is damage that the strength contains.
   if (const KeptStress& kept = test().kept_stress; kept.value != nullptr && recipe_.test.*kept.value > 0.0)

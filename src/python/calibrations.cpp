@@ -105,6 +105,8 @@ py::list rows_of(const std::vector<Comparison>& table) {
     row["model"] = c.mean, row["model_sd"] = c.sd, row["n_packings"] = c.n_packings, row["error"] = c.error();
     row["with_discrepancy"] = c.with_discrepancy;
     row["low"] = c.low, row["high"] = c.high, row["missing"] = c.missing;
+    row["bedding_share"] = c.failure.bedding_share, row["bedding_share_sd"] = c.failure.bedding_share_sd;
+    row["failure_angle"] = c.failure.angle, row["failure_angle_sd"] = c.failure.angle_sd;
     rows.append(row);
   }
   return rows;

@@ -41,6 +41,16 @@ struct ParameterEstimate {
   bool open() const { return has_interval() && !determined; }  ///< left so by the data
 };
 
+/// How the model's specimens fail: means and scatter over the packings that have such a number
+/// (analysis/failure_plane.hpp). NaN: no bedding, no packing whose cracks line up.
+struct FailureMode {
+  double bedding_share = nan, bedding_share_sd = nan;  ///< of all cracks
+  /// [deg] of the failure plane, like theta; 0 ... 90 where both senses are alike, else negative where it
+  /// leans the other way than the bedding.
+  double angle = nan, angle_sd = nan;
+  int n_tests = 0, n_planes = 0;  ///< on how many packings; of these, whose cracks line up
+};
+
 /// One row of the macro table: laboratory beside model.
 struct Comparison {
   Target target;
@@ -54,6 +64,7 @@ struct Comparison {
   int n_invalid = 0;  ///< Brazilian: of these, first crack off the central third (lab/brazilian/reading.hpp)
   std::string missing;   ///< why the first packing without an answer has none
   QualityTally quality;  ///< warnings of the tests behind the mean
+  FailureMode failure;   ///< of a strength
   double error() const { return mean / target.mean - 1.0; }
   /// The best prediction: with what the model misses, where that is known.
   double predicted() const { return std::isfinite(with_discrepancy) ? with_discrepancy : mean; }

@@ -20,6 +20,15 @@
 namespace phy::report {
 namespace {
 
+Json failure_json(const FailureMode& f) {
+  return {{"bedding_share", f.bedding_share},
+          {"bedding_share_sd", f.bedding_share_sd},
+          {"angle [deg]", f.angle},
+          {"angle_sd [deg]", f.angle_sd},
+          {"n_tests", f.n_tests},
+          {"n_planes", f.n_planes}};
+}
+
 Json rows_json(const std::vector<Comparison>& rows) {
   Json list = Json::array();
   for (const Comparison& c : rows) {
@@ -39,6 +48,7 @@ Json rows_json(const std::vector<Comparison>& rows) {
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
     if (t.confining > 0.0) list.back()["confining [Pa]"] = t.confining;
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
+    if (c.failure.n_tests > 0) list.back()["failure"] = failure_json(c.failure);
   }
   return list;
 }
@@ -142,6 +152,12 @@ Property property_of(const std::string& name) {
   throw std::out_of_range(name + " is no property");
 }
 
+FailureMode failure_from(const Json& j) {
+  return {number_of(j.at("bedding_share")),       number_of(j.at("bedding_share_sd")),
+          number_of(j.at("angle [deg]")),         number_of(j.at("angle_sd [deg]")),
+          io::whole_number<int>(j.at("n_tests")), io::whole_number<int>(j.at("n_planes"))};
+}
+
 std::vector<Comparison> rows_of(const Json& list) {
   std::vector<Comparison> rows;
   for (const Json& j : list) {
@@ -156,6 +172,7 @@ std::vector<Comparison> rows_of(const Json& list) {
     c.low = number_of(j.at("low")), c.high = number_of(j.at("high"));
     c.n_packings = io::whole_number<int>(j.at("n_packings"));
     if (j.contains("with_discrepancy")) c.with_discrepancy = number_of(j.at("with_discrepancy"));
+    if (j.contains("failure")) c.failure = failure_from(j.at("failure"));
     rows.push_back(std::move(c));
   }
   return rows;

@@ -254,6 +254,33 @@ std::string angle_table(const Calibration& c, int terminal_width) {
          text_table(label, columns, terminal_width);
 }
 
+std::string failure_table(const Calibration& c, int terminal_width) {
+  const auto within = [](double mean, double sd, double unit) {
+    if (!std::isfinite(mean)) return std::string("none");
+    return fmt::format("{:.0f}", mean * unit) +
+           (std::isfinite(sd) ? fmt::format(" +- {:.0f}", sd * unit) : "");
+  };
+  std::vector<Comparison> rows = c.verification.empty() ? c.fitted : c.verification;
+  rows.insert(rows.end(), c.compared.begin(), c.compared.end());
+  std::erase_if(rows, [](const Comparison& row) { return row.failure.n_tests == 0; });
+  if (rows.empty()) return "";
+  using R = const Comparison&;
+  Column test = column_of("how specimens fail", "", rows, [](R r) { return cell_name(r.target); });
+  test.left = true;
+  const Columns columns = {
+      column_of("cracks along bedding", "%", rows,
+                [&](R r) { return within(r.failure.bedding_share, r.failure.bedding_share_sd, 100.0); }),
+      column_of("failure plane", "deg", rows,
+                [&](R r) { return within(r.failure.angle, r.failure.angle_sd, 1.0); }),
+      column_of("seen in", "", rows,
+                [](R r) { return fmt::format("{} of {}", r.failure.n_planes, r.failure.n_tests); })};
+  return text_table(test, {columns}, terminal_width) +
+         wrapped(
+             "mean and SD between packings; the plane is inclined like theta, negative: against the "
+             "bedding; none: the cracks do not line up\n",
+             terminal_width, 2);
+}
+
 constexpr const char* at_half_of_ucs =
     "at 50 % UCS: fit and unseen are at small strain; these are the unseen ones with what tests on "
     "unseen "

@@ -27,6 +27,10 @@ std::string parameter_tables(const Calibration& calibration, int terminal_width)
 /// Laboratory, model and error, angles across.
 std::string angle_table(const Calibration& calibration, int terminal_width);
 
+/// How specimens of the model fail, on unseen packings where there are: a line per test. Empty where nothing
+/// is known.
+std::string failure_table(const Calibration& calibration, int terminal_width);
+
 /// Errors of each property, and what simpler rules miss the same cells by (report/baselines.hpp).
 std::string error_table(const Calibration& calibration, int terminal_width);
 
