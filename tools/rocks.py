@@ -54,7 +54,7 @@ class Run:
         self.table = source.read_text(encoding="utf-8")
         if prediction:
             self.table = rows_without(self.table, prediction)
-        rock = re.sub(r'^data = ".*"', f'data = "table.csv"\nseed = {seed}', rock, flags=re.M)
+        rock = re.sub(r'^data = ".*"', f'data = "table.csv"\nfirst_packing = {seed}', rock, flags=re.M)
         if prediction and prediction["model"] != "choose":
             rock = re.sub(r"^(name = .*)$", rf'\1\nlayers = "{prediction["model"]}"', rock, flags=re.M)
         self.rock = rock
