@@ -97,7 +97,7 @@ class Rocks(InFolder):
         rock = phyllite.rock("boryeong-shale")
         self.assertEqual((rock.name, len(rock.targets)), ("Boryeong shale", 7))
         with self.assertRaisesRegex(phyllite.InputError, "did you mean"):
-            phyllite.rock("boryeong")
+            phyllite.rock("boryeong-shal")
 
     def test_table_frame_and_file_are_one_rock(self):
         path = self.rock_file()
