@@ -3,7 +3,7 @@
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
 # make docs      the documents as a searchable site          make web      bundle the pages anew
-# make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (80 minutes of CPU, resumed)
+# make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (100 minutes of CPU, resumed)
 # make lint      format, floors, functions, comments         make tidy     clang-tidy
 # make sanitize  tests under the sanitizers                  make coverage lines that the tests run, room by room
 # make fuzz      every reader under libFuzzer                make bench    measure the speed of the press

@@ -19,6 +19,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 import tomllib
 
 import measured
@@ -27,11 +28,16 @@ from rocks_card import card_of, clean
 
 ROOT = measured.ROOT
 BASE = ROOT / "data/rocks"
-FINISHED = (0, 1)  # of `phyllite`: all well, or a finding such as "out of reach"
 
 
 def digest(*parts):
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+
+
+def program_now():
+    """What the results of this program hang on: its sources. The program itself also holds the cards, which are written here."""
+    files = [p for p in sorted((ROOT / "src").rglob("*")) if p.suffix in (".cpp", ".hpp", ".def") and not p.name.endswith(".test.cpp")]
+    return digest(*(p.read_text(encoding="utf-8") for p in files + sorted((ROOT / "data/maps").glob("*.csv"))))
 
 
 def rows_without(text, prediction):
@@ -49,12 +55,13 @@ class Run:
 
     def __init__(self, folder, name, seed, options, prediction=None):
         self.folder, self.seed, self.options = folder, seed, options
+        self.result = folder / "calibration/calibration.json"
         rock = (BASE / name / "rock.toml").read_text(encoding="utf-8")
         source = BASE / name / re.search(r'^data = "(.*)"', rock, re.M)[1]
         self.table = source.read_text(encoding="utf-8")
         if prediction:
             self.table = rows_without(self.table, prediction)
-        rock = re.sub(r'^data = ".*"', f'data = "table.csv"\nseed = {seed}', rock, flags=re.M)
+        rock = re.sub(r'^data = ".*"', f'data = "table.csv"\nfirst_packing = {seed}', rock, flags=re.M)
         if prediction and prediction["model"] != "choose":
             rock = re.sub(r"^(name = .*)$", rf'\1\nlayers = "{prediction["model"]}"', rock, flags=re.M)
         self.rock = rock
@@ -77,31 +84,32 @@ class Run:
         stamp.write_text(asked)
 
 
-def timed(command, folder, done):
-    """Runs a command, once for a program: its output in folder/log, its seconds of CPU added to folder/cpu. Exit code."""
-    program = digest(pathlib.Path(command[0]).read_bytes().hex())
-    mark, seconds = folder / f"done-{done}", folder / f"cpu-{done}"
-    if mark.exists() and mark.read_text().startswith(program):
+def timed(command, folder, result, now):
+    """Runs a command, once for what the program is now: its output in folder/log, its seconds of CPU in folder/cpu. Exit code."""
+    mark, seconds, before = folder / "done", folder / "cpu", time.time()
+    if mark.exists() and mark.read_text().startswith(now):
         return int(mark.read_text().split()[1])
     with open(folder / "log", "a", encoding="utf-8") as log:
         child = subprocess.Popen([str(word) for word in command], cwd=ROOT, stdout=log, stderr=subprocess.STDOUT)
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
-    before = float(seconds.read_text()) if seconds.exists() else 0.0
-    seconds.write_text(f"{before + usage.ru_utime + usage.ru_stime:.1f}\n")
-    if child.returncode in (*FINISHED, 2):
-        mark.write_text(f"{program} {child.returncode}")
+    spent = float(seconds.read_text()) if seconds.exists() else 0.0
+    seconds.write_text(f"{spent + usage.ru_utime + usage.ru_stime:.1f}\n")
+    # 1 is a finding such as "out of reach" where the result was written, else a stop; 2: nothing can be made of the input.
+    written = result.exists() and result.stat().st_mtime >= before - 1
+    if child.returncode in (0, 2) or child.returncode == 1 and written:
+        mark.write_text(f"{now} {child.returncode}")
     return child.returncode
 
 
-def calibrate(run, program):
+def calibrate(run, program, now):
     run.prepare()
     command = run.command(program)
-    code = timed(command, run.folder, "calibration")
+    code = timed(command, run.folder, run.result, now)
     if code == 2 and "--resume" in command:  # begun by a program that asked another question
         shutil.rmtree(run.folder)
         run.prepare()
-        code = timed(run.command(program), run.folder, "calibration")
+        code = timed(run.command(program), run.folder, run.result, now)
     return code
 
 
@@ -112,7 +120,7 @@ def test_of(prediction, sigma_3):
     return test | {"platen_speed": '"0.01 m/s"'}  # tension ends at a fraction of the strain
 
 
-def predict(prediction, run, program):
+def predict(prediction, run, program, now):
     """The tests of a prediction on every draw of a calibration; the folders of their bands by confining stress."""
     found = {}
     for sigma_3 in prediction.get("confining", [0]):
@@ -125,7 +133,7 @@ def predict(prediction, run, program):
             rest = re.sub(rf"^{key} = .*$", f"{key} = {value}", rest, count=1, flags=re.M)
         (folder / "draws/calibrated.toml").write_text(f"{before}\n[test]\n{rest}", encoding="utf-8")
         timed([program, "--threads", "1", "run", folder / "draws/calibrated.toml", "--ensemble", "--out", folder / "out"],
-              folder, "run")
+              folder, folder / "out/band.csv", now)
         found[sigma_3] = folder
     return found
 
@@ -160,16 +168,20 @@ class Work:
         return sorted(all_runs, key=lambda r: ("normal" not in r.options, "quick" not in r.options))
 
     def do(self, program, workers):
+        now = program_now()
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-            tasks = {pool.submit(calibrate, r, program): r for r in self.calibrations()}
-            for n, task in enumerate(concurrent.futures.as_completed(tasks), 1):
-                print(f"rocks: {n} of {len(tasks)} calibrations; {tasks[task].folder.relative_to(self.results)} "
-                      f"ended with {task.result()}", flush=True)
-            later = [pool.submit(predict, p, r, program) for p, runs in self.predictions for r in runs
-                     if (r.folder / "calibration/calibrated.toml").exists()]
-            for n, task in enumerate(concurrent.futures.as_completed(later), 1):
-                task.result()
-                print(f"rocks: {n} of {len(later)} predictions", flush=True)
+            try:
+                self.finish({pool.submit(calibrate, r, program, now): r.folder for r in self.calibrations()}, "calibrations")
+                self.finish({pool.submit(predict, p, r, program, now): r.folder for p, runs in self.predictions for r in runs
+                             if r.result.exists()}, "predictions")
+            except KeyboardInterrupt:
+                pool.shutdown(cancel_futures=True)  # what runs has had its Ctrl-C
+                sys.exit("rocks: stopped; `make rocks` goes on")
+
+    def finish(self, tasks, what):
+        for n, task in enumerate(concurrent.futures.as_completed(tasks), 1):
+            task.result()
+            print(f"rocks: {n} of {len(tasks)} {what}; {tasks[task].relative_to(self.results)}", flush=True)
 
 
 def write_rock(folder, card, run):

@@ -133,14 +133,15 @@ PREDICTION_HEAD = ["predicted", "rms error", "mean error", "in the band", "yards
 
 
 def section(card):
-    text = f"## {card['title']}\n{use_of(card)}\n\n"
+    text = f"## {card['title']}\n**What may I use it for?** {use_of(card)}\n\n"
     if any(card.get("missed", [])):
         text += "Missed values: " + "; ".join(sorted({name_of(c) for c in card["missed"][0]})) + ".\n\n" if card["missed"][0] else ""
     text += "".join(f"- {c}\n" for c in card["cautions"]) + "\n"
-    if card.get("predictions"):
-        text += "Predictions, written down before they were run:\n\n" + table(PREDICTION_HEAD, [prediction_row(p) for p in card["predictions"]]) + "\n"
     if "errors" in card:
-        text += (f"Layers: {card['layers']}. First packings: {', '.join(map(str, card['seeds']))}. Verdicts: {'; '.join(card['statuses'])}. "
+        held, effort = card["intervals"], card["asked"]["effort"]
+        if held["of"]:
+            text += f"Of {held['of']} values left out, {held['hold']} lie in their 95 % interval. "
+        text += (f"Layers: {card['layers']}. Effort: {effort}. First packings: {', '.join(map(str, card['seeds']))}. Verdicts: {'; '.join(card['statuses'])}. "
                  f"Tests of the press: {card['tests']}. CPU: {card['cpu_s'] / 60:.1f} min, predictions included. Program: {card['program']}.\n\n")
     return text + "Sources:\n\n" + "".join(f"- `{s['key']}`: {s['cite']}. {s['licence'][0].upper() + s['licence'][1:]}.\n" for s in card["sources"]) + "\n"
 

@@ -17,7 +17,7 @@ HEAD = """# Status: goals and measurements
 
 Written by `tools/status.py` from the tables in `measured`. Each row links to its file, which has machine, date, command and every earlier value.
 A value is the latest one. The interval behind it is a range over runs, or the 95 % interval where it has a sign.
-Synthetic means: this program made the table from known parameters. Two measured rocks were tried, a gneiss and a schist.
+Synthetic means: this program made the table from known parameters. Measured rocks have a [page](rocks.md) of their own.
 One run is not a measurement: other packings and bond seeds scatter by a few per cent.
 
 **{n_met} of {n_goals} goals are met.** Rows without a goal are measurements that somebody may ask for.

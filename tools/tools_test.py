@@ -170,11 +170,14 @@ class Rocks(unittest.TestCase):
 
     def test_what_is_finished_is_not_run_again_but_by_another_program(self):
         program, count = self.folder / "program", self.folder / "count"
+        program.write_text(f"#!/bin/sh\necho $1 >>{count}\nexit 1\n")
+        program.chmod(program.stat().st_mode | stat.S_IXUSR)
         for words in ("one", "one", "another"):
-            program.write_text(f"#!/bin/sh\necho {words} >>{count}\nexit 1\n")
-            program.chmod(program.stat().st_mode | stat.S_IXUSR)
-            self.assertEqual(rocks.timed([program], self.folder, "calibration"), 1)
+            self.assertEqual(rocks.timed([program, words], self.folder, count, words), 1)
         self.assertEqual(count.read_text(), "one\nanother\n")
+        self.assertEqual(rocks.timed([program, "third"], self.folder, self.folder / "missing", "third"), 1)  # stopped: no result
+        rocks.timed([program, "third"], self.folder, count, "third")
+        self.assertEqual(count.read_text(), "one\nanother\nthird\nthird\n")
 
     def test_another_table_begins_anew(self):
         run = rocks.Run(self.folder / "run", "tournemire-shale", 1, ["--elastic"])

@@ -27,7 +27,7 @@ void check_known(const std::string& name) {
   const std::vector<std::string> names = base_rocks();
   if (std::ranges::find(names, name) != names.end()) return;
   const std::string near = nearest(name, names);
-  throw InputError(Problem{"command line", "rock", name, fmt::format("one of {}", fmt::join(names, ", ")),
+  throw InputError(Problem{"measured rocks", "name", name, fmt::format("one of {}", fmt::join(names, ", ")),
                            near.empty() ? "" : "did you mean " + near + "?"});
 }
 

@@ -96,9 +96,10 @@ const Fields& rock_fields() {
           "packing.radius_min", "", "grain_size",
           "mean diameter of the model's grains; default: as many as in the paper's specimen. K_Ic is fitted "
           "only with it or a recipe")),
-      without_default(as_in_recipe("packing.seed", "", "seed",
-                                   "first packing of the calibration; another one shows how far its result "
-                                   "hangs on packings. Default: the recipe's, else 1")),
+      without_default(
+          as_in_recipe("packing.seed", "", "first_packing",
+                       "seed of the first packing of the calibration; another one shows how far its result "
+                       "hangs on packings. Default: the recipe's, else 1")),
       rock_key(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
       as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
       as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
@@ -146,7 +147,7 @@ class RockReader {
     read_disc();
     PackingRecipe& packing = rock_.model.packing;
     packing.seed =
-        static_cast<decltype(packing.seed)>(file_.number("seed", static_cast<double>(packing.seed)));
+        static_cast<decltype(packing.seed)>(file_.number("first_packing", static_cast<double>(packing.seed)));
     if (file_.number("elastic_reading", 0.0) == 1.0) rock_.reading = ElasticReading::plane_strain;
     rock_.E_is = static_cast<ModulusReading>(static_cast<int>(file_.number("E_is", 0.0)));
     read_table();
@@ -326,7 +327,7 @@ class RockReader {
   /// for messages.
   std::string said_here(const std::string& path) const {
     if (path == "grain_size") return path;
-    if (path == "packing.seed" && is_given("seed")) return "seed";
+    if (path == "packing.seed" && is_given("first_packing")) return "first_packing";
     if (path == "test.disc_diameter") return "brazilian.diameter";
     if (path == "test.loading_angle") return "brazilian.loading_angle";
     if (path == "bedding[0].spacing" && is_given("bedding.spacing")) return "bedding.spacing";

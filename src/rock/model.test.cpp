@@ -39,6 +39,15 @@ TEST_F(RockFile, TheMatrixIsThatOfTheRecipeUnlessTheFileAsksForAnother) {
               testing::ElementsAre(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("have directions"))));
 }
 
+TEST_F(RockFile, TheFirstPackingIsAskedForWithOrWithoutARecipe) {
+  EXPECT_EQ(rock(good, "").model.packing.seed, 1);
+  EXPECT_EQ(rock(good, "first_packing = 501\n").model.packing.seed, 501);
+  write("m.toml", "[packing]\nseed = 7\n");
+  EXPECT_EQ(rock(good, "recipe = \"m.toml\"\n").model.packing.seed, 7);
+  EXPECT_EQ(rock(good, "recipe = \"m.toml\"\nfirst_packing = 501\n").model.packing.seed, 501);
+  EXPECT_THAT(problems(good, "first_packing = -1\n"), testing::ElementsAre(HasSubstr("first_packing")));
+}
+
 TEST_F(RockFile, AnotherSizeMagnifiesTheModel) {
   const Rock r = rock(good, "[specimen]\nwidth = \"50 mm\"\nheight = \"100 mm\"\n");
   const Recipe paper;

@@ -92,6 +92,13 @@ class Rocks(InFolder):
         of_program = [line for line in output.splitlines() if "on this machine" not in line and "Details: " not in line]
         self.assertEqual(own, of_program)
 
+    def test_measured_rocks_are_named_and_read(self):
+        self.assertIn("boryeong-shale", phyllite.rocks())
+        rock = phyllite.rock("boryeong-shale")
+        self.assertEqual((rock.name, len(rock.targets)), ("Boryeong shale", 7))
+        with self.assertRaisesRegex(phyllite.InputError, "did you mean"):
+            phyllite.rock("boryeong-shal")
+
     def test_table_frame_and_file_are_one_rock(self):
         path = self.rock_file()
         model = phyllite.Recipe.from_file(self.at("model.toml"))

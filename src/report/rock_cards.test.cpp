@@ -1,0 +1,55 @@
+// Cards of measured rocks in words: medians and ranges over calibrations by hand, and cards without a model.
+#include "report/rock_cards.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace phy::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* finished = R"({
+  "name": "slate", "title": "a slate", "kind": "slate", "cautions": ["Digitised."],
+  "sources": [{"key": "A", "cite": "a paper", "licence": "facts"}],
+  "measured": {"properties": ["UCS", "nu"], "angles": 7},
+  "program": "0.2", "seeds": [1, 501, 1001], "layers": "planes with bridges", "matrix": "parallel_bond",
+  "verdict": {"status": "not decided", "sentence": "Not decided.", "lines": ["Good for: E."]},
+  "statuses": ["not decided", "calibrated", "not decided"], "tests": 600, "cpu_s": 1284.4,
+  "errors": {"UCS": [0.09, 0.05, 0.06], "nu": [0.01, 0.03, 0.02]},
+  "left_out": {"UCS": {"ratio": [0.5, 0.7]}, "BTS": {"ratio": []}},
+  "predictions": [
+    {"text": "BTS, from UCS", "yardstick": "a tenth of UCS", "rms": [0.12], "mean": [-0.05], "inside": 6, "of": 7,
+     "yardstick_rms": 0.4},
+    {"text": "sigma_1, from UCS", "yardstick": "N"}]})";
+
+constexpr const char* begun = R"({
+  "name": "tuff", "title": "a tuff", "kind": "tuff", "cautions": [], "sources": [],
+  "measured": {"properties": ["DTS"], "angles": 0}, "verdict": {"status": "not run", "lines": ["not run"]}})";
+
+TEST(RockCards, AListHasARowOfMediansForEveryCard) {
+  const std::string list = rock_list({finished, begun}, 0);
+  EXPECT_THAT(list, HasSubstr("UCS 6.0 (5.0 - 9.0) %, nu 0.020 (0.010 - 0.030)"));
+  EXPECT_THAT(list, HasSubstr("UCS, nu; 7 angles"));
+  EXPECT_THAT(list, HasSubstr("UCS 0.60"));
+  EXPECT_THAT(list, Not(HasSubstr("BTS")));
+  EXPECT_THAT(list, HasSubstr("not run"));
+}
+
+TEST(RockCards, ACardSaysWhatWasPredictedAndWhatWasNot) {
+  const std::string card = rock_card(finished, 0);
+  EXPECT_THAT(card, HasSubstr("rms error 12.0 %, mean -5.0 %; 6 of 7 in the band. a tenth of UCS: 40.0 %"));
+  EXPECT_THAT(card, HasSubstr("sigma_1, from UCS: not run yet"));
+  EXPECT_THAT(card, HasSubstr("Verdicts: not decided; calibrated; not decided. 600 tests, 1284 s of CPU"));
+  EXPECT_THAT(card, HasSubstr("Source: a paper (facts)"));
+}
+
+TEST(RockCards, ACardWithoutAModelHasNone) {
+  EXPECT_EQ(rock_card(begun, 0), "a tuff (tuff)\nnot run\n\n");
+  EXPECT_EQ(model_of_card(begun).layers, "");
+  EXPECT_EQ(model_of_card(finished).layers, "planes with bridges");
+}
+
+}  // namespace
+}  // namespace phy::report
