@@ -396,9 +396,9 @@ class Parameter:
 class Comparison:
     """Laboratory beside model."""
 
-    property: str  #: "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci", "K_Ic"
+    property: str  #: "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci", "K_Ic", ...
     theta: float  #: [deg]
-    confining: float  #: [Pa]
+    confining: float  #: [Pa]; of tau_peak and tau_residual the normal stress
     diameter: float  #: [m] of a disc or half disc; 0: the model's
     laboratory: float  #: mean [Pa], nu [1], K_Ic [Pa sqrt(m)]
     laboratory_sd: float  #: of single specimens
@@ -411,6 +411,10 @@ class Comparison:
     low: float  #: 95 % interval of the rock's value by the fit
     high: float
     missing: str  #: why there is no answer
+    bedding_share: float  #: of a strength: cracks along bedding over all cracks; NaN: no bedding
+    bedding_share_sd: float  #: between packings
+    failure_angle: float  #: [deg] in which cracks line up, like theta; NaN: they do not
+    failure_angle_sd: float  #: [deg] between packings
 
 
 @dataclass(frozen=True)

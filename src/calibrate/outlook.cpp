@@ -75,7 +75,7 @@ class CostOfTests {
     PointCost point;
     const double of_contact = recipe.matrix.model == MatrixModel::flat_joint ? flat_joint_cost : 1.0;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      if (measured(targets_[i].property).read_before) continue;  // in a test of another
+      if (measured(targets_[i].property).read_in) continue;  // in a test of another
       const Recipe one = tests_.of(recipe, i, recipe.packing.seed, loading);
       point.cost += of_contact * study::expected_cost(one, tests_.peak_strain(i)), ++point.tests;
       point.compression += is_compressive(targets_[i].property) ? 1 : 0;
@@ -93,7 +93,7 @@ class CostOfTests {
   std::vector<Target> compressed() const {
     std::vector<Target> of;
     for (const Target& t : targets_)
-      if (is_compressive(t.property) && !measured(t.property).read_before) of.push_back(t);
+      if (is_compressive(t.property) && !measured(t.property).read_in) of.push_back(t);
     return of;
   }
   std::vector<double> moduli_of(const std::vector<Target>& targets) const {

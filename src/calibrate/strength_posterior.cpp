@@ -94,7 +94,7 @@ void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& reci
 std::vector<Target> StrengthPosterior::without_runs() const {
   std::vector<Target> silent;
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (runs_[i].empty() && !measured(targets_[i].property).read_before) silent.push_back(targets_[i]);
+    if (runs_[i].empty() && !measured(targets_[i].property).read_in) silent.push_back(targets_[i]);
   return silent;
 }
 

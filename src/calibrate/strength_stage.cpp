@@ -184,7 +184,8 @@ struct Predictor {
       const auto before = targets.begin() + static_cast<std::ptrdiff_t>(i);
       if (std::any_of(targets.begin(), before, [&](const Target& t) { return same_test(t, targets[i]); }))
         continue;
-      for (double theta = 0.0; theta <= 90.0; theta += 5.0) {
+      const double steepest = measured(targets[i].property).along_bedding ? 0.0 : 90.0;
+      for (double theta = 0.0; theta <= steepest; theta += 5.0) {
         const auto [mean, variance] = discrepancy.at(targets[i], theta);
         const double half = z_95 * std::sqrt(variance);
         all.push_back({targets[i], theta, std::exp(mean), std::exp(mean - half), std::exp(mean + half)});
@@ -342,7 +343,7 @@ class StrengthSearch {
       const std::size_t p = k / targets_.size(), i = k % targets_.size();
       const Property property = targets_[i].property;
       const Point& point = design.points[p];
-      const bool own = !measured(property).read_before;  // a test of its own
+      const bool own = !measured(property).read_in;  // a test of its own
       n_tests_ += own ? 1 : 0;
       const double strength = strength_of(results[k], property) / (on_coarse ? coarse_growth(property) : 1.0);
       if (!std::isfinite(strength)) {

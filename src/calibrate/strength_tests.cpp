@@ -24,6 +24,8 @@ constexpr double approach_speed = 3.0;      // over the speed of the test behind
 constexpr double least_foreseen = 0.1;      // of the strength in the table
 constexpr double step_safety = 0.99;        // of a limit that is proven: nothing is kept in reserve
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
+constexpr double until_it_slides = 4.0;     // of the displacement at which bedding is expected to break
+constexpr double start_of_shear = 0.05;     // of that displacement, while the boxes come to speed
 
 /// Moduli of the recipe at the angles of the targets.
 std::vector<double> moduli_at(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
@@ -47,6 +49,8 @@ Recipe tested_as(Recipe recipe, const Target& t) {
   recipe.test.kind = test;
   if (t.diameter > 0.0) recipe.test.disc_diameter = t.diameter;
   if (test.kept_stress.value != nullptr) recipe.test.*test.kept_stress.value = t.confining;
+  if (measured(t.property).along_bedding)
+    for (BeddingRecipe& b : recipe.bedding) b.offset = 0.0;  // the boxes meet on a plane
   return recipe;
 }
 
@@ -62,24 +66,31 @@ double strain_times_modulus(const Recipe& recipe, const Target& t) {
 std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>& targets,
                                  const std::vector<double>& moduli) {
   std::vector<double> strains;
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    strains.push_back(strain_times_modulus(recipe, targets[i]) / moduli[i]);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto of_plane = test_of(targets[i].property).peak_of_value.strain_of_plane;
+    strains.push_back(of_plane != nullptr ? of_plane(recipe, targets[i].mean)
+                                          : strain_times_modulus(recipe, targets[i]) / moduli[i]);
+  }
   return strains;
 }
 
 /// Speed of platens, grips or rollers [m/s] at which a wave crosses the specimen as often as its test asks
 /// for, until it peaks at `strain`.
 double slow_speed(const Recipe& recipe, const Target& target, double strain) {
-  const double modulus = strain_times_modulus(recipe, target) / strain;
+  const double modulus = test_of(target.property).peak_of_value.strain_of_plane != nullptr
+                             ? recipe.matrix.modulus()
+                             : strain_times_modulus(recipe, target) / strain;
   const double wave = std::sqrt(modulus / recipe.matrix.density);
   return 0.5 * strain * wave / test_of(target.property).peak_of_value.wave_transits;
 }
 
 /// The target in whose test another is read.
-std::size_t place_of(const std::vector<Target>& targets, Property property, double theta) {
-  const auto it = std::find_if(targets.begin(), targets.end(),
-                               [&](const Target& t) { return t.property == property && t.theta == theta; });
-  PHY_CHECK(it != targets.end(), "a table with UCS wherever something is read before it");
+std::size_t place_of(const std::vector<Target>& targets, const Target& read) {
+  Target in = read;
+  in.property = *measured(read.property).read_in;
+  const auto it =
+      std::find_if(targets.begin(), targets.end(), [&](const Target& t) { return same_cell(t, in); });
+  PHY_CHECK(it != targets.end(), "a table with the strength in whose test another is read");
   return static_cast<std::size_t>(it - targets.begin());
 }
 
@@ -163,9 +174,8 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
   for (std::size_t i = 0; i < targets_.size(); ++i)
     speeds_.push_back(slow_speed(recipe, targets_[i], strains_[i]));
   for (std::size_t i = 0; i < targets_.size(); ++i) {  // what is read on the way has no test of its own
-    const auto read_before = measured(targets_[i].property).read_before;
-    if (!read_before) continue;
-    const std::size_t test = place_of(targets_, *read_before, targets_[i].theta);
+    if (!measured(targets_[i].property).read_in) continue;
+    const std::size_t test = place_of(targets_, targets_[i]);
     strains_[i] = strains_[test], speeds_[i] = speeds_[test];
     reads_before_[i] = reads_before_[test] = true;
   }
@@ -178,14 +188,18 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
   // A disc that a fast approach throws about has no strength: jaws meet it in points.
   const double share =
       one.test.kind->cut != nullptr ? std::min(loading.approach, as_measured.approach) : loading.approach;
-  if (share > 0.0 && !reads_before_[target]) {
+  if (share > 0.0 && one.test.kind->may_approach && !reads_before_[target]) {
     const Target& t = targets_[target];
     const double weaker = std::clamp((foreseen - t.confining) / (t.mean - t.confining), least_foreseen, 1.0);
     if (const double until = share * weaker * strains_[target]; until > one.test.ramp_strain)
       one.test.approach_strain = until, one.test.approach_speed = approach_speed * one.test.platen_speed;
   }
-  if (one.test.kind->cut != nullptr) one.test.history_interval = disc_interval;
-  if (targets_[target].confining > 0.0) one.test.max_strain = largest_strain(strains_[target]);
+  if (one.test.kind->cut != nullptr || one.test.kind->runs_to_end) one.test.history_interval = disc_interval;
+  if (one.test.kind->runs_to_end) {
+    one.test.max_strain = until_it_slides * strains_[target];
+    one.test.ramp_strain = start_of_shear * strains_[target];
+  } else if (targets_[target].confining > 0.0)
+    one.test.max_strain = largest_strain(strains_[target]);
   return one;
 }
 

@@ -172,5 +172,38 @@ TEST_F(Loaded, ForeseenBelowItsConfinementItStillMoves) {
   EXPECT_GT(test(1, search_of_strengths, 10e6).approach_strain, 0.0);
 }
 
+/// Cracks of every test line up, on the second packing the other way; on the third they do not.
+class Failing : public PaperPress {
+  std::vector<TestResult> run(const std::vector<Recipe>& recipes) override {
+    std::vector<TestResult> results = PaperPress::run(recipes);
+    for (std::size_t i = 0; i < recipes.size(); ++i) {
+      const std::int64_t seed = recipes[i].packing.seed;
+      const double angle = seed == 1 ? 62.0 : seed == 2 ? -58.0 : std::nan("");
+      results[i].intact = false, results[i].theta = recipes[i].bedding.front().theta;
+      results[i].numbers.push_back({"bedding_share", 0.1 * static_cast<double>(seed), "1", "", ""});
+      results[i].numbers.push_back({"failure_angle", angle, "deg", "", ""});
+    }
+    return results;
+  }
+};
+
+// With bedding at 90 degrees the mirror image is as likely; at 60 the two directions lie 60 degrees apart,
+// half a turn counting as none, so that their mean is upright.
+TEST(StrengthResponse, HowSpecimensFailIsAMeanOverPackings) {
+  Recipe rock;
+  rock.bedding.resize(1);
+  const std::vector<Target> table = {{Property::ucs, 60.0, 100e6, 1e6, 3, false},
+                                     {Property::ucs, 90.0, 100e6, 1e6, 3, false}};
+  Failing press;
+  const std::vector<Comparison> rows = strength_response(rock, table, {1, 2, 3}, from_rest, press);
+  EXPECT_NEAR(rows[0].failure.bedding_share, 0.2, 1e-12);
+  EXPECT_NEAR(rows[0].failure.bedding_share_sd, 0.1, 1e-12);
+  EXPECT_EQ(rows[0].failure.n_tests, 3);
+  EXPECT_EQ(rows[0].failure.n_planes, 2);
+  EXPECT_NEAR(std::fabs(rows[0].failure.angle), 88.0, 1e-9);
+  EXPECT_NEAR(rows[1].failure.angle, 60.0, 1e-9);
+  EXPECT_NEAR(rows[1].failure.angle_sd, std::sqrt(8.0), 1e-9);
+}
+
 }  // namespace
 }  // namespace phy::calibrate

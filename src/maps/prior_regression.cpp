@@ -138,6 +138,27 @@ PriorMean tension_by_discs(const Evidence& evidence, const Recipe& recipe, const
                   stand_in_width);
 }
 
+/// Joints that share one plane (docs/theory/calibration.md, "Direct shear of bedding"): their length over
+/// that of the plane is left out. `z`: the ratios, then the place of sigma_c where there is a stress.
+PriorMean sheared_bedding(const Evidence& evidence, const Recipe& recipe, const Target& target) {
+  return prior_of(
+      [ratios = strength_ratios(evidence), recipe, target,
+       sigma = matrix_sigma_c.box(evidence.scales)](std::span<const double> z) {
+        Recipe at = recipe;
+        const bool has_scale = z.size() > ratios.size();
+        const double sigma_c =
+            has_scale ? std::exp(std::lerp(sigma.low, sigma.high, 0.5 * (z.back() + 1.0))) : 1.0;
+        matrix_sigma_c.set(at, sigma_c);
+        for (std::size_t i = 0; i < ratios.size(); ++i) ratios[i]->set(at, ratios[i]->from_normalised(z[i]));
+        const BeddingRecipe& joint = at.bedding.front();
+        const double slides = joint.mu * target.confining,
+                     breaks = joint.cohesion + tan_degrees(joint.phi) * target.confining;
+        const bool peak = target.property == Property::shear_peak;
+        return std::log((peak ? std::max(breaks, slides) : slides) / sigma_c);
+      },
+      measured(target.property).prior);
+}
+
 }  // namespace
 
 PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting) {
@@ -160,6 +181,12 @@ PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const T
     disc.property = Property::brazilian;
     return prior_toughness(
         recipe, model == nullptr ? std::nullopt : std::optional(prior_strength(evidence, recipe, disc)));
+  }
+  if (measured(property).along_bedding) {
+    // Bonds alone, and bedding that slides under no stress, are nothing that joints tell.
+    const bool slides = property == Property::shear_residual;
+    if (recipe.bedding.empty() || (slides && target.confining == 0.0)) return {};
+    return sheared_bedding(evidence, recipe, target);
   }
   if (model == nullptr) return {};  // nothing is expected, and the surrogate begins wide
   if (property == Property::confined) return confined_strength(evidence, recipe, *model, target);

@@ -22,6 +22,8 @@ std::string particulars(const Target& t) {
 std::string test_name(const Target& t) { return to_string(t.property) + particulars(t); }
 
 std::string cell_name(const Target& t) {
+  if (measured(t.property).along_bedding)
+    return fmt::format("{}({:.3g} MPa)", to_string(t.property), t.confining * 1e-6);
   return fmt::format("{}({:g}{})", to_string(t.property), t.theta, particulars(t));
 }
 
@@ -38,10 +40,10 @@ double interpolated(const std::vector<Comparison>& rows, const Target& t) {
   return below->mean + part * (above->mean - below->mean);
 }
 
-bool has_bend_tests(const Calibration& c) {
-  return !c.compared.empty() || std::any_of(c.fitted.begin(), c.fitted.end(), [](const Comparison& row) {
-    return row.target.property == Property::fracture_toughness;
-  });
+bool has_tests_of(const Calibration& c, Part part) {
+  const auto is_it = [part](const Comparison& row) { return measured(row.target.property).part == part; };
+  return std::any_of(c.fitted.begin(), c.fitted.end(), is_it) ||
+         std::any_of(c.compared.begin(), c.compared.end(), is_it);
 }
 
 const char* to_string(VerdictStatus status) {

@@ -135,7 +135,7 @@ struct Shortage {
 /// What a simulator was asked for and has answered.
 struct SimulatorCount {
   std::int64_t tests = 0;      ///< runs of laboratory tests
-  std::int64_t tension = 0;    ///< of these, direct tension, Brazilian, semi-circular bend
+  std::int64_t tension = 0;    ///< of these, direct tension, Brazilian, semi-circular bend, direct shear
   std::int64_t coarse = 0;     ///< of these, with magnified grains
   std::int64_t solutions = 0;  ///< direct elastic solutions
   std::int64_t compression() const { return tests - tension; }
@@ -175,7 +175,7 @@ struct Calibration {
   double seconds = 0.0;
 };
 
-/// Are half discs among its tests in tension?
-bool has_bend_tests(const Calibration& calibration);
+/// Has its table tests of a part?
+bool has_tests_of(const Calibration& calibration, Part part);
 
 }  // namespace phy

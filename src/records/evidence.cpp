@@ -36,7 +36,7 @@ Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), tar
     else if (tested)
       strengths.push_back(t);
     if (tested && p.is_stress() && t.confining == 0.0) scales.strength = std::max(scales.strength, t.mean);
-    if (tested && p.is_stress() && t.confining > 0.0) expected = std::max(expected, unconfined(t));
+    if (is_compressive(t.property) && t.confining > 0.0) expected = std::max(expected, unconfined(t));
     if (t.property == Property::E) scales.modulus = std::max(scales.modulus, t.mean);
   }
   if (!has(Property::ucs)) scales.strength = std::max(scales.strength, expected);
@@ -73,7 +73,7 @@ std::int64_t Evidence::n_compressive() const {
 
 std::int64_t Evidence::n_tests() const {
   return std::count_if(strengths.begin(), strengths.end(),
-                       [](const Target& t) { return !measured(t.property).read_before; });
+                       [](const Target& t) { return !measured(t.property).read_in; });
 }
 
 double counted_error(const Target& modulus) {

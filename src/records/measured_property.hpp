@@ -23,13 +23,15 @@ enum class Property {
   confined,            ///< strength under confining stress, sigma_1 at the peak [Pa]
   crack_initiation,    ///< axial stress in the test of UCS at which crack volumetric strain begins [Pa]
   fracture_toughness,  ///< in mode I, of a semi-circular bend test [Pa sqrt(m)]
-  point_load           ///< point load strength index I_s(50) [Pa]
+  point_load,          ///< point load strength index I_s(50) [Pa]
+  shear_peak,          ///< peak shear strength of bedding in direct shear [Pa]
+  shear_residual       ///< shear stress at which it slides behind the peak [Pa]
 };
-constexpr int n_properties = 9;
+constexpr int n_properties = 11;
 
 /// What of a model a property judges: causes of a misfit are sought part by part.
-enum class Part { moduli, compression, tension, initiation, toughness };
-constexpr int n_parts = 5;
+enum class Part { moduli, compression, tension, initiation, toughness, bedding };
+constexpr int n_parts = 6;
 
 /// The unit in which people read a property, the factor from SI, and the digits behind the point there.
 struct ShownUnit {
@@ -79,10 +81,12 @@ struct MeasuredProperty {
   const char* test = nullptr;
   const char* number = nullptr;
   double share = 1.0;  ///< of that number, where an empirical relation stands in for the test itself
-  /// Read on the way to another strength, in its test at the same inclination.
-  std::optional<Property> read_before = std::nullopt;
+  /// Read in the test of another strength, at the same inclination and under the same stress.
+  std::optional<Property> read_in = std::nullopt;
   bool of_discs = false;      ///< tested on discs or halves of discs, whose diameter the table may have
   bool under_stress = false;  ///< values under confining stress are fitted, not only kept
+  /// Sheared along the bedding, under a stress across it: its rows have no inclination.
+  bool along_bedding = false;
   /// It is pulled a quarter turn from its load: a disc splits along the load.
   bool splits = false;
   /// At the same bonds it grows with the size of the grains to this power: fitted only where that size is

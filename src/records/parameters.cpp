@@ -191,7 +191,16 @@ Rule friction_rule(const Evidence& e) {
 Rule joint_friction_rule(const Evidence& e) {
   LabTest next = between(Property::confined, 45.0, 60.0);
   if (e.has(Property::confined, 30.0, 75.0)) next.stress = StressAsked::another;
-  return {grows(e, 30.0, 75.0), {between(Property::confined, 30.0, 75.0)}, {next}};
+  return {grows(e, 30.0, 75.0) || e.has(Property::shear_residual),
+          {LabTests({between(Property::confined, 30.0, 75.0), {Property::shear_residual}})},
+          {next}};
+}
+
+/// Bonded bedding rubs where its peak grows with the stress across it.
+Rule bedding_friction_rule(const Evidence& e) {
+  const std::vector<Target> peaks = of_property(e.targets, Property::shear_peak);  // one for each stress
+  const LabTest test{Property::shear_peak};
+  return {peaks.size() > 1, {test}, {test}};
 }
 
 void check_dilation(const Rock& rock) {
@@ -328,27 +337,29 @@ const Parameter cohesion_oblique =
 
 // ---- joints
 
-const Parameter joint_cohesion{.key = "bedding[0].cohesion",
-                               .symbol = "C_sj",
-                               .unit = "Pa",
-                               .number = [](const Recipe& r) -> const double& { return joint(r).cohesion; },
-                               .over = &matrix_tau_c,
-                               .range = {0.07, 0.9, 0.25},
-                               .set =
-                                   [](Recipe& r, double v) {
-                                     for (BeddingRecipe& b : r.bedding) {
-                                       const double before = b.cohesion;
-                                       b.cohesion = v * r.matrix.tau_c;
-                                       b.sigma_n *= b.cohesion / before;
-                                     }
-                                   },
-                               .belongs = has_joints,
-                               .strength = StrengthRole{[](const Evidence& e) -> Rule {
-                                 const bool held = e.has(Property::ucs, 30.0, 75.0) || grows(e, 30.0, 75.0);
-                                 return rule_of({compression(e, 30.0, 75.0)},
-                                                between(Property::ucs, 45.0, 60.0), held,
-                                                has_directions(e.rock.model));
-                               }}};
+const Parameter joint_cohesion{
+    .key = "bedding[0].cohesion",
+    .symbol = "C_sj",
+    .unit = "Pa",
+    .number = [](const Recipe& r) -> const double& { return joint(r).cohesion; },
+    .over = &matrix_tau_c,
+    .range = {0.07, 0.9, 0.25},
+    .set =
+        [](Recipe& r, double v) {
+          for (BeddingRecipe& b : r.bedding) {
+            const double before = b.cohesion;
+            b.cohesion = v * r.matrix.tau_c;
+            b.sigma_n *= b.cohesion / before;
+          }
+        },
+    .belongs = has_joints,
+    .strength = StrengthRole{[](const Evidence& e) -> Rule {
+      const bool held =
+          e.has(Property::ucs, 30.0, 75.0) || grows(e, 30.0, 75.0) || e.has(Property::shear_peak);
+      LabTests tests = compression(e, 30.0, 75.0);
+      tests.any_of.push_back({Property::shear_peak});
+      return rule_of({tests}, between(Property::ucs, 45.0, 60.0), held, has_directions(e.rock.model));
+    }}};
 
 const Parameter joint_sigma_n{
     .key = "bedding[0].sigma_n",
@@ -380,15 +391,28 @@ const Parameter joint_mu{
                              [](const Recipe& r) { return tan_degrees(joint(r).psi) * (1.0 + 1e-9); },
                              check_dilation}};
 
+/// Of bonded joints: with it their shear strength grows under pressure.
+const Parameter joint_phi{.key = "bedding[0].phi",
+                          .symbol = "phi_sj",
+                          .unit = "deg",
+                          .number = [](const Recipe& r) -> const double& { return joint(r).phi; },
+                          .range = {2.0, 50.0, 20.0, nullptr, 0.7},
+                          .set =
+                              [](Recipe& r, double v) {
+                                for (BeddingRecipe& b : r.bedding) b.phi = v;
+                              },
+                          .belongs = has_joints,
+                          .strength = StrengthRole{bedding_friction_rule, true}};
+
 std::vector<const Parameter*> elastic_parameters(const Recipe& model) {
   return those_of({&matrix_E_c, &matrix_ks_over_kn, &joint_k_n, &joint_k_s, &stiffness_ratio}, model);
 }
 
 std::vector<const Parameter*> strength_parameters(const Recipe& model) {
-  return those_of(
-      {&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &matrix_moment, &matrix_phi, &matrix_slits,
-       &joint_cohesion, &joint_sigma_n, &joint_mu, &tension_ratio, &cohesion_ratio, &cohesion_oblique},
-      model);
+  return those_of({&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &matrix_moment, &matrix_phi, &matrix_slits,
+                   &joint_cohesion, &joint_sigma_n, &joint_mu, &joint_phi, &tension_ratio, &cohesion_ratio,
+                   &cohesion_oblique},
+                  model);
 }
 
 std::vector<const Parameter*> strength_parameters(const Evidence& evidence) {

@@ -124,6 +124,6 @@ std::vector<const Parameter*> strength_parameters(const Recipe& model);
 
 extern const Parameter matrix_E_c, matrix_ks_over_kn, joint_k_n, joint_k_s, stiffness_ratio;
 extern const Parameter matrix_sigma_c, matrix_tau_c, matrix_mu, matrix_moment, matrix_phi, matrix_slits,
-    joint_cohesion, joint_sigma_n, joint_mu, tension_ratio, cohesion_ratio, cohesion_oblique;
+    joint_cohesion, joint_sigma_n, joint_mu, joint_phi, tension_ratio, cohesion_ratio, cohesion_oblique;
 
 }  // namespace phy

@@ -22,6 +22,7 @@ Recipe bedded() {
   Recipe r;
   r.bedding.resize(2);
   r.bedding[1].cohesion *= 0.5, r.bedding[1].sigma_n *= 0.25;
+  for (BeddingRecipe& b : r.bedding) b.phi = 10.0;
   return r;
 }
 Recipe foliated() {
@@ -124,7 +125,7 @@ TEST(Parameters, RatiosAreNamedByTheirTwoNumbers) {
   EXPECT_EQ(names, (std::vector<std::string>{"matrix.E_c", "matrix.ks_over_kn", "bedding[0].k_n",
                                              "bedding[0].k_s", "matrix.sigma_c", "tau_c/sigma_c", "matrix.mu",
                                              "matrix.moment_contribution", "C_sj/tau_c", "sigma_n,sj/C_sj",
-                                             "bedding[0].mu"}));
+                                             "bedding[0].mu", "bedding[0].phi"}));
   EXPECT_EQ(sought(joint_sigma_n).unit, "1");
   EXPECT_EQ(sought(joint_sigma_n).number, nullptr);
   EXPECT_EQ(number_of_recipe(joint_sigma_n).key, "bedding[0].sigma_n");
@@ -182,7 +183,8 @@ TEST(Parameters, BoxesAreMultiplesOfWhatTheTableHolds) {
     const LogBox box = p->box(scales);
     EXPECT_LT(box.low, box.usual) << p->key;
     EXPECT_LT(box.usual, box.high) << p->key;
-    EXPECT_EQ(p->range.of == nullptr, sought(*p).unit == "1") << p->key;
+    const std::string unit = sought(*p).unit;
+    EXPECT_EQ(p->range.of == nullptr, unit == "1" || unit == "deg") << p->key;
   }
   EXPECT_NEAR(std::exp(matrix_sigma_c.box(scales).low), 10e6, 1.0);
   EXPECT_NEAR(std::exp(matrix_mu.box(scales).high), 1.2, 1e-12);
@@ -195,7 +197,7 @@ TEST(Parameters, PriorsStandInTheTableOfTheirSources) {
   for (const Recipe& r : {bedded(), foliated()})
     for (const Parameter* p : strength_parameters(r))
       if (std::isfinite(p->range.sd)) stated.insert(p);
-  EXPECT_EQ(stated.size(), 5U);
+  EXPECT_EQ(stated.size(), 6U);
   for (const Parameter* p : stated) {
     const std::string row =
         fmt::format("\n| {} | {:g} | {:g} | ", sought(*p).symbol, p->range.usual, p->range.sd);
@@ -209,7 +211,7 @@ TEST(Parameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
     EXPECT_DOUBLE_EQ(p->normalised(p->range.low), -1.0);
     EXPECT_DOUBLE_EQ(p->normalised(p->range.high), 1.0);
     EXPECT_NEAR(p->from_normalised(0.0), std::sqrt(p->range.low * p->range.high), 1e-14);
-    EXPECT_NEAR(p->from_normalised(p->normalised(p->range.usual)), p->range.usual, 1e-14);
+    EXPECT_NEAR(p->from_normalised(p->normalised(p->range.usual)) / p->range.usual, 1.0, 1e-14);
   }
 }
 

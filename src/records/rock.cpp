@@ -105,22 +105,30 @@ void to_plane_stress(std::vector<Target>& targets) {
 class ConfiningStresses {
  public:
   explicit ConfiningStresses(const std::vector<RockReading>& readings) {
-    std::set<std::pair<double, int>> rows;  // a specimen's stress counts once, whatever was read of it
+    std::set<std::pair<Place, int>> rows;  // a specimen's stress counts once, whatever was read of it
     for (const RockReading& r : readings)
-      if (counts(r)) rows.emplace(r.confining, r.line);
+      if (counts(r)) rows.emplace(place_of(r), r.line);
     for (auto from = rows.begin(); from != rows.end();) {
-      double sum = 0.0, largest = 0.0, n = 0.0;
-      for (const double least = from->first; from != rows.end() && same_stress(from->first, least); ++from)
-        largest = from->first, sum += largest, ++n;
+      const Place least = from->first;
+      Place largest = least;
+      double sum = 0.0, n = 0.0;
+      for (; from != rows.end() && from->first.first == least.first &&
+             same_stress(from->first.second, least.second);
+           ++from)
+        largest = from->first, sum += largest.second, ++n;
       classes_[largest] = sum / n;
     }
   }
   double of(const RockReading& r) const {
-    return counts(r) ? classes_.lower_bound(r.confining)->second : 0.0;
+    return counts(r) ? classes_.lower_bound(place_of(r))->second : 0.0;
   }
 
  private:
-  std::map<double, double> classes_;  // mean by the largest
+  /// Stress on the sides and stress across bedding are two kinds.
+  using Place = std::pair<bool, double>;
+  std::map<Place, double> classes_;  // mean by the largest
+
+  static Place place_of(const RockReading& r) { return {measured(r.property).along_bedding, r.confining}; }
 
   static bool counts(const RockReading& r) { return r.confining > 0.0 && measured(r.property).under_stress; }
 };

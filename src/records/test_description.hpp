@@ -66,6 +66,9 @@ struct PeakOfValue {
   /// the stress that the test keeps, with which its own begins [Pa].
   double (*strain_times_modulus)(const Recipe&, double value, double side) =
       [](const Recipe&, double value, double side) { return value - side; };
+  /// Of a test whose specimen is a plane between rigid halves: displacement at the peak over the width of the
+  /// specimen, by the stiffness of the plane; null: what is tested is a specimen.
+  double (*strain_of_plane)(const Recipe&, double value) = nullptr;
   double wave_transits = 100.0;  ///< of a wave across the specimen, in the time until that peak
 };
 

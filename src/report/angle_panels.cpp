@@ -8,6 +8,14 @@
 
 namespace phy::report {
 
+bool same_panel(const Target& a, const Target& b) {
+  return measured(a.property).along_bedding ? a.property == b.property : same_test(a, b);
+}
+
+double place_in_panel(const Target& t) {
+  return measured(t.property).along_bedding ? t.confining * 1e-6 : t.theta;
+}
+
 Axis axis_of(Property property) {
   const MeasuredProperty& m = measured(property);
   return {m.axis, m.shown.name};
@@ -16,11 +24,12 @@ Axis axis_of(Property property) {
 void fit_over_angles(Figure& figure) {
   double far = 90.0;  // of the drawn angles
   for (const Panel& p : figure.panels)
-    for (const Series& s : p.series)
+    for (const Series& s : p.x.quantity.empty() ? p.series : std::vector<Series>())
       for (const Point& point : s.points) far = std::max(far, point.x);
   constexpr double room = 5.0;  // [deg] for what stands at the ends, and beside them
   for (Panel& p : figure.panels)
-    p.x.quantity = "inclination θ", p.x.unit = "°", p.x.low = -room, p.x.high = far + room, p.x.step = 15.0;
+    if (p.x.quantity.empty())
+      p.x.quantity = "inclination θ", p.x.unit = "°", p.x.low = -room, p.x.high = far + room, p.x.step = 15.0;
   fit_axes(figure);
 }
 
@@ -28,7 +37,7 @@ Series laboratory_series() { return {"laboratory, mean and its 95 %", Mark::poin
 
 Point point_of(const Target& t, double factor) {
   const double half = t.half_width();
-  return {t.theta, factor * t.mean, factor * (t.mean - half), factor * (t.mean + half)};
+  return {place_in_panel(t), factor * t.mean, factor * (t.mean - half), factor * (t.mean + half)};
 }
 
 Series theory_series(const std::string& name, const AngleCurve& curve, double factor) {

@@ -8,9 +8,15 @@
 
 namespace phy::report {
 
+/// Cells of one panel: of one test over the inclination, of sheared bedding over the stress across it.
+bool same_panel(const Target& a, const Target& b);
+/// Where a cell stands there: [deg], or [MPa].
+double place_in_panel(const Target& target);
+
 /// A property in the unit in which people read it.
 Axis axis_of(Property property);
-/// The inclination, as far as the points go and 90 degrees at least; ordinates as fit_axes().
+/// The inclination, as far as the points go and 90 degrees at least, in panels whose abscissa nobody has
+/// named; the rest as fit_axes().
 void fit_over_angles(Figure& figure);
 
 Series laboratory_series();

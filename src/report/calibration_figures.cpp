@@ -32,26 +32,36 @@ class LaboratoryPanels {
   explicit LaboratoryPanels(const std::vector<Target>& table)
       : table_(table), curves_(theory_curves(table)), beside_(room_beside(table)) {
     for (const Target& t : table)
-      if (std::none_of(tests_.begin(), tests_.end(), [&](const Target& k) { return same_test(k, t); }))
+      if (std::none_of(tests_.begin(), tests_.end(), [&](const Target& k) { return same_panel(k, t); }))
         tests_.push_back(t);
   }
   /// One of each, with its first angle.
   const std::vector<Target>& tests() const { return tests_; }
-  double beside() const { return beside_; }  ///< [deg]
+  /// So far beside its place stands what belongs to a value: [deg], or of sheared bedding [MPa].
+  double beside(const Target& test) const {
+    if (!measured(test.property).along_bedding) return beside_;
+    double most = 0.0;
+    for (const Target& t : table_)
+      if (same_panel(t, test)) most = std::max(most, place_in_panel(t));
+    return most / 40.0;
+  }
 
   Panel panel_of(const Target& test) const {
     Panel panel;
-    panel.y = axis_of(test.property), panel.title = particulars(test);
-    if (!panel.title.empty()) panel.title.erase(0, 2);  // ", "
+    panel.y = axis_of(test.property);
+    if (measured(test.property).along_bedding)
+      panel.x = {"normal stress σ_n", "MPa"};
+    else if (panel.title = particulars(test); !panel.title.empty())
+      panel.title.erase(0, 2);  // ", "
     panel.aside = test.property == Property::nu;
     Series laboratory = laboratory_series(), single{"specimens", Mark::dots, Role::specimen};
     const double f = measured(test.property).shown.factor;
     bool assumed = false;
     for (const Target& t : table_) {
-      if (!same_test(t, test)) continue;
+      if (!same_panel(t, test)) continue;
       laboratory.points.push_back(point_of(t, f));
       assumed = assumed || t.sd_assumed;
-      for (const double v : t.specimens) single.points.push_back({t.theta - beside_, f * v});
+      for (const double v : t.specimens) single.points.push_back({place_in_panel(t) - beside(test), f * v});
     }
     const AngleCurve curve = curve_of(test);
     if (laboratory.points.size() > 1) panel.caption = curve.note;  // rock without layers has one angle
@@ -116,13 +126,13 @@ void add_model(const Calibration& c, const Target& test, double beside, Panel& p
   const double f = measured(test.property).shown.factor;
   for (const Comparison& fitted : c.fitted) {
     const Target& t = fitted.target;
-    if (!same_test(t, test)) continue;
+    if (!same_panel(t, test)) continue;
     if (const auto [low, high] = bounds_of(fitted); std::isfinite(low))
-      box.points.push_back({t.theta, nan, f * low, f * high});
+      box.points.push_back({place_in_panel(t), nan, f * low, f * high});
     if (const Comparison& row = judged(c, fitted); row.answered())
-      model.points.push_back({t.theta, f * row.mean, nan, nan, error_beside(row.mean, &t)});
+      model.points.push_back({place_in_panel(t), f * row.mean, nan, nan, error_beside(row.mean, &t)});
     if (const Comparison* row = row_of(c.left_out, t); row != nullptr && row->answered())
-      left_out.points.push_back({t.theta + beside, f * row->predicted()});
+      left_out.points.push_back({place_in_panel(t) + beside, f * row->predicted()});
   }
   panel.series.insert(panel.series.begin(), box);
   panel.series.push_back(left_out), panel.series.push_back(model);
@@ -137,7 +147,7 @@ Figure calibration_figure(const Calibration& c) {
   Figure figure;
   for (const Target& test : panels.tests()) {
     figure.panels.push_back(panels.panel_of(test));
-    add_model(c, test, panels.beside(), figure.panels.back());
+    add_model(c, test, panels.beside(test), figure.panels.back());
     add_between(c, test, figure.panels.back());
   }
   if (figure.panels.size() == 1) figure.aspect = alone;

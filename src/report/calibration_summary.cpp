@@ -20,6 +20,15 @@ std::string open_parameters(const Calibration& c) {
   return list_text(open);
 }
 
+std::vector<std::string> other_tests(const Calibration& c, const std::array<const char*, 3>& words) {
+  const bool bends = has_tests_of(c, Part::toughness), shears = has_tests_of(c, Part::bedding);
+  std::vector<std::string> some;
+  if (has_tests_of(c, Part::tension) || !shears) some.emplace_back(words[0]);
+  if (bends) some.emplace_back(words[1]);
+  if (shears) some.emplace_back(words[2]);
+  return some;
+}
+
 std::vector<std::string> open_lines(const Calibration& c) {
   std::vector<std::pair<std::string, std::vector<std::string>>>
       open;  // by the test that would determine them

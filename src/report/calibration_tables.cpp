@@ -1,6 +1,7 @@
 #include "report/calibration_tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -179,6 +180,7 @@ std::vector<ParameterTable> parameter_rows(const Calibration& c) {
                      {"Normal strength sigma_n,sj [MPa]", cell(c, b.sigma_n, MPa)},
                      {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)}}});
   auto& joints = tables.back().rows;
+  if (b.phi > 0.0) joints.emplace_back("Friction angle, bonded, phi_sj [deg]", cell(c, b.phi, 1.0));
   if (b.persistence < 1.0) {
     joints.emplace_back("Persistence p", cell(c, b.persistence, 1.0, "not fitted"));
     if (b.patch_length > 0.0)
@@ -262,7 +264,9 @@ std::string failure_table(const Calibration& c, int terminal_width) {
   };
   std::vector<Comparison> rows = c.verification.empty() ? c.fitted : c.verification;
   rows.insert(rows.end(), c.compared.begin(), c.compared.end());
-  std::erase_if(rows, [](const Comparison& row) { return row.failure.n_tests == 0; });
+  std::erase_if(rows, [](const Comparison& row) {  // a test is one line, whatever is read in it
+    return row.failure.n_tests == 0 || measured(row.target.property).read_in;
+  });
   if (rows.empty()) return "";
   using R = const Comparison&;
   Column test = column_of("how specimens fail", "", rows, [](R r) { return cell_name(r.target); });
@@ -401,7 +405,8 @@ std::string budget_text(const Calibration& c, int terminal_width) {
   if (n.tests > 0) {
     text = counted_text(static_cast<double>(n.compression()), "test") + " in compression";
     if (n.tension > 0)
-      text += fmt::format(" and {} in tension{}", n.tension, has_bend_tests(c) ? " or bending" : "");
+      text += fmt::format(" and {} in {}", n.tension,
+                          fmt::join(other_tests(c, {"tension", "bending", "direct shear"}), " or "));
     if (n.coarse > 0) text += fmt::format("; {} of all tests on coarse grains", n.coarse);
     text += "; ";
   }

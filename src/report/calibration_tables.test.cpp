@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/calibration_files.hpp"
@@ -166,6 +167,27 @@ TEST(CalibrationTables, WhatNoTestTellsIsNotAdvised) {
   EXPECT_THAT(text, HasSubstr("no test of a table determines it"));
   EXPECT_THAT(text, HasSubstr("next: direct tension at 90 degrees"));
   EXPECT_THAT(text, Not(HasSubstr("next: \n")));
+}
+
+// One line per test; an angle that few packings have says so, and none is a word.
+TEST(CalibrationTables, HowSpecimensFailStandsBesideTheirStrength) {
+  Calibration c = with_left_out();
+  c.verification = c.fitted;
+  EXPECT_EQ(failure_table(c, 0), "") << "nobody has tested them";
+  c.verification[0].failure = {0.03, 0.02, nan, nan, 5, 0};
+  c.verification[1].failure = {0.81, 0.06, -44.6, 1.2, 5, 4};
+  Comparison initiation = ucs(45, 30e6, 30e6);
+  initiation.target.property = Property::crack_initiation, initiation.failure = c.verification[1].failure;
+  c.verification.push_back(initiation);
+  const std::string text = failure_table(c, 0);
+  EXPECT_THAT(text, HasSubstr("UCS(0)                            3 +- 2           none   0 of 5\n"));
+  EXPECT_THAT(text, HasSubstr("UCS(45)                          81 +- 6       -45 +- 1   4 of 5\n"));
+  EXPECT_THAT(text, Not(testing::AnyOf(HasSubstr("UCS(90)"), HasSubstr("sigma_ci"))));
+  const Calibration read = comparisons_of(calibration_json(c, "1"), "calibration.json");
+  EXPECT_TRUE(std::isnan(read.verification[0].failure.angle));
+  EXPECT_EQ(read.verification[1].failure.angle, -44.6);
+  EXPECT_EQ(read.verification[1].failure.n_planes, 4);
+  EXPECT_EQ(read.verification[2].failure.n_tests, 0);
 }
 
 }  // namespace

@@ -346,9 +346,9 @@ std::string fit_text(const Calibration& c, const std::string& version) {
                                 c.effort.empty() ? "" : ", effort " + c.effort)
                   : "one after the other by bisection, each against UCS at one angle on one packing",
         n_ucs,
-        c.counts.tension > 0
-            ? fmt::format(" and {} tensile{}", c.counts.tension, has_bend_tests(c) ? " and bend" : "")
-            : "");
+        c.counts.tension > 0 ? fmt::format(" and {} {}", c.counts.tension,
+                                           fmt::join(other_tests(c, {"tensile", "bend", "shear"}), " and "))
+                             : "");
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
                         c.verification.front().n_packings);

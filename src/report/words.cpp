@@ -143,7 +143,7 @@ std::string cells_text(const std::vector<Cell>& cells) {
     const std::string name = test_text(c);
     auto at = std::find_if(tests.begin(), tests.end(), [&](const auto& t) { return t.first == name; });
     if (at == tests.end()) at = tests.insert(at, {name, {}});
-    at->second.push_back(c.theta);
+    at->second.push_back(measured(c.property).along_bedding ? nan : c.theta);
   }
   std::string text;
   for (const auto& [name, angles] : tests) text += (text.empty() ? "" : ", ") + name + at_text(angles);

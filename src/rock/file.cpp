@@ -471,6 +471,12 @@ class RockReader {
         problems_.push_back({file_.place(key), key, "", "a rock with bedding",
                              "the table has no angles, or bedded = false: leave it out"});
     for (RockReading& r : rock_.readings) r.theta = 0.0;
+    const auto sheared = std::find_if(rock_.readings.begin(), rock_.readings.end(),
+                                      [](const auto& r) { return measured(r.property).along_bedding; });
+    if (sheared != rock_.readings.end())
+      problems_.push_back({table_ + ":" + std::to_string(sheared->line), to_string(sheared->property), "",
+                           "a rock with bedding",
+                           "bedding is what shears: take such rows out, or give the others their theta"});
     rock_.notes.emplace_back("a rock without bedding");
     if (has_angles) rock_.notes.emplace_back("the angles of the table are not used, since bedded = false");
   }
@@ -528,7 +534,7 @@ class RockReader {
     bool nu = false, E = false;
     std::set<Property> kept;  // of tests that no calibration does
     for (const RockReading& r : rock_.readings) {
-      angles.insert(r.theta);
+      if (!measured(r.property).along_bedding) angles.insert(r.theta);
       if (r.confining > 0.0 && !measured(r.property).under_stress) kept.insert(r.property);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
     }

@@ -144,7 +144,12 @@ std::vector<Known> columns_of_tests() {
        C::intermediate,
        none,
        "intermediate stress; where it is not `confining` the row is refused",
-       {"s2", "intermediate principal stress"}}};
+       {"s2", "intermediate principal stress"}},
+      {"sigma_n",
+       C::normal,
+       none,
+       "normal stress across sheared bedding, of tau_peak and tau_residual",
+       {"s_n", "normal stress"}}};
 }
 
 }  // namespace

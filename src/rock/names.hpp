@@ -26,6 +26,7 @@ enum class Column {
   least_confining,
   most_confining,
   intermediate,  ///< sigma_2, which has to be the confining stress
+  normal,        ///< stress across sheared bedding
   passed,        ///< by the user's word, or beside replicates
   other
 };

@@ -40,6 +40,7 @@ Range range_of(const Head& h) {
     case Column::intermediate:
     case Column::least_confining:
     case Column::most_confining: return {0.0, 5e9, "0 Pa <= confining pressure <= 5 GPa"};
+    case Column::normal: return {0.0, 5e9, "0 Pa <= normal stress <= 5 GPa"};
     case Column::cohesion: return {0.0, 5e9, "0 Pa <= cohesion <= 5 GPa"};
     case Column::friction: return {0.0, 80.0, "0 deg <= angle of friction <= 80 deg"};
     case Column::scatter:
@@ -74,6 +75,7 @@ class ReadingReader {
     check_repeats();
     check_confined();
     check_initiation();
+    check_sliding();
     const bool moduli = std::any_of(readings_.begin(), readings_.end(),
                                     [](const RockReading& r) { return !is_strength(r.property); });
     if (!elsewhere_.empty() && !moduli) {
@@ -247,10 +249,29 @@ class ReadingReader {
     const Head& h = heads_.all[*column];
     r.theta = h.theta_of(v[*column]);
     if (!good || std::isfinite(r.theta)) return good;
+    if (is_shear_alone(v)) return r.theta = 0.0, true;
     problems_.push_back({at(r.line), h.name, "", "an angle in every row",
                          "give the layers of this specimen an angle, that of the row above again where it is "
                          "the same; a row without any goes "
                          "out of the table, or behind a # at its beginning"});
+    return false;
+  }
+  /// A row of direct shear, which has no inclination.
+  bool is_shear_alone(const std::vector<double>& v) const {
+    bool any = false, others = false;
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (const Head& h = heads_.all[i]; h.kind == Column::value && std::isfinite(v[i]))
+        (measured(h.property).along_bedding ? any : others) = true;
+    return any && !others;
+  }
+  /// Bedding lies level in the box, under the stress across it. False: a problem has been reported.
+  bool put_in_box(RockReading& r, const std::vector<double>& v) {
+    const auto column = find(Column::normal);
+    r.theta = 0.0, r.confining = column ? v[*column] : nan;
+    if (std::isfinite(r.confining)) return true;
+    problems_.push_back({at(r.line), "sigma_n", "",
+                         fmt::format("the normal stress of {}, in the same row", to_string(r.property)),
+                         "bedding shears at another stress under each: 0 where the box was not loaded"});
     return false;
   }
   /// Only the ordinary triaxial test has one pressure around the specimen.
@@ -265,6 +286,7 @@ class ReadingReader {
     const Head& h = heads_.all[i];
     r.property = h.property, r.value = v[i] + (h.deviatoric ? r.confining : 0.0);
     if (!h.replicate.empty()) r.n = 1;
+    if (measured(r.property).along_bedding && !put_in_box(r, v)) return;
     if (measured(r.property).share != 1.0) r.diameter = 0.0;  // I_s(50) has been converted to 50 mm
     if (!asked && !is_strength(r.property)) {
       elsewhere_.insert(r.confining);
@@ -365,6 +387,24 @@ class ReadingReader {
             {at(cell.line), "sigma_ci", value,
              fmt::format("a mean below that of UCS at this angle, {:.4g} MPa", ucs[theta].mean() * 1e-6),
              "cracks begin before the peak: are two columns swapped?"});
+    }
+  }
+
+  /// What slides behind a peak is read in the test of that peak, and below it.
+  void check_sliding() {
+    for (const RockReading& r : readings_) {
+      if (r.property != Property::shear_residual) continue;
+      const auto peak = std::find_if(readings_.begin(), readings_.end(), [&](const RockReading& other) {
+        return other.property == Property::shear_peak && other.line == r.line;
+      });
+      const std::string value = fmt::format("{:.4g} MPa", r.value * 1e-6);
+      if (peak == readings_.end())
+        problems_.push_back({at(r.line), "tau_residual", value, "tau_peak in the same row",
+                             "both are read in one test: leave tau_residual out where its peak is unknown"});
+      else if (r.value > peak->value)
+        problems_.push_back({at(r.line), "tau_residual", value,
+                             fmt::format("no more than tau_peak, {:.4g} MPa", peak->value * 1e-6),
+                             "are two columns swapped?"});
     }
   }
 

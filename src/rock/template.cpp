@@ -60,7 +60,8 @@ constexpr const char* table_template =
 # load), K_Ic [MPa sqrt(m)] (semi-circular bend; diameter [mm] of the half disc), each with _sd;
 # confining [MPa], under which UCS is sigma_1 at the peak, E and nu those of q over strain; or c [MPa],
 # phi [deg], confining_min [MPa], confining_max [MPa] of an envelope. The load, or the pull of DTS, is
-# along y in every test.
+# along y in every test. Direct shear of bedding: tau_peak [MPa], tau_residual [MPa] under sigma_n [MPa], in
+# rows that need no angle.
 # E and nu are what E_is of the rock file says.
 # _sd: standard deviation of single specimens; n: specimens. Other columns are passed over.
 theta [deg],E [GPa],E_sd [GPa],nu,nu_sd,UCS [MPa],UCS_sd [MPa],n

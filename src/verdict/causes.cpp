@@ -76,7 +76,8 @@ Finding cause_of(const View& v, Part part) {
       {Part::compression, {weakest_angle, ucs_ratio}},
       {Part::tension, {tension_ratio}},
       {Part::initiation, {initiation_ratio}},
-      {Part::toughness, {grains_for_toughness}}};
+      {Part::toughness, {grains_for_toughness}},
+      {Part::bedding, {}}};
   for (CauseRule* rule : rules.at(part))
     if (const auto cause = rule(v)) return *cause;
   if (const auto cause = scattered_packings(v, part)) return *cause;

@@ -30,6 +30,7 @@ export interface Comparison {
   laboratory: { mean: number; sd: number; n: number; specimens?: number[] };
   model: number | null;
   sd_of_packings: number | null;
+  failure?: Failure; // of a strength that was tested
   n_packings: number;
   low: number | null;
   high: number | null;
@@ -50,6 +51,16 @@ export interface Property {
   axis: string;
   unit: string;
   factor: number; // from SI
+}
+
+/** How the model's specimens fail, over packings; null: no bedding, or cracks that do not line up. */
+export interface Failure {
+  bedding_share: number | null;
+  bedding_share_sd: number | null;
+  "angle [deg]": number | null;
+  "angle_sd [deg]": number | null;
+  n_tests: number;
+  n_planes: number; // tests whose cracks line up
 }
 
 /** What was found: its kind and what belongs to it are data, the text is for people. */

@@ -440,7 +440,10 @@ function comparisonTable(rows: Comparison[], caption: string, yardsticks: Yardst
   const rules: [string, (r: Comparison) => number | null | undefined][] = [];
   if (rows.some((r) => typeof r.with_discrepancy === "number")) rules.push(["with discrepancy", (r) => r.with_discrepancy]);
   if (yardsticks.some((y) => y.best)) rules.push(["best curve", (r) => r[best(r) as keyof Comparison] as number | null | undefined]);
-  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...rules.map(([head]) => `error, ${head}`)];
+  const within = (mean: number | null, sd: number | null, scale: number) => (mean === null ? "none" : (mean * scale).toFixed(0) + (sd === null ? "" : ` ± ${(sd * scale).toFixed(0)}`));
+  const failure = ({ failure: f }: Comparison) => (f ? [within(f.bedding_share, f.bedding_share_sd, 100), `${within(f["angle [deg]"], f["angle_sd [deg]"], 1)} (${f.n_planes} of ${f.n_tests})`] : ["–", "–"]);
+  const fails = rows.some((r) => r.failure);
+  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...rules.map(([head]) => `error, ${head}`), ...(fails ? ["cracks along bedding [%]", "failure plane [°]"] : [])];
   return table(
     caption,
     heads,
@@ -448,7 +451,7 @@ function comparisonTable(rows: Comparison[], caption: string, yardsticks: Yardst
       const f = (v: number | null) => (v === null ? "–" : (v * report.properties[r.property].factor).toPrecision(4));
       const { mean, sd, n } = r.laboratory;
       const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? (v - mean).toFixed(3) : `${(100 * (v / mean - 1)).toFixed(1)} %`);
-      return [named(report.properties[r.property].axis, r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([, value]) => error(value(r)))];
+      return [named(report.properties[r.property].axis, r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([, value]) => error(value(r))), ...(fails ? failure(r) : [])];
     }),
     caption,
   );
@@ -512,7 +515,10 @@ function errorTable(c: Calibration): Child {
 function cost(c: Calibration): Child {
   if (!c.runs) return null;
   const n = c.runs.of_these_in_tension;
-  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests in compression${n > 0 ? ` and ${n} in tension${[...c.fitted, ...alone(c)].some((r) => r.property === "K_Ic") ? " or bending" : ""}` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
+  const has = (...names: string[]) => [...c.fitted, ...alone(c)].some((r) => names.includes(r.property));
+  const shears = has("tau_peak");
+  const kinds = [...(shears && !has("DTS", "BTS", "I_s50") ? [] : ["tension"]), ...(has("K_Ic") ? ["bending"] : []), ...(shears ? ["direct shear"] : [])];
+  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests in compression${n > 0 ? ` and ${n} in ${kinds.join(" or ")}` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
 }
 
 /** Parameters as the paper's Tables 1 and 2 have them. */

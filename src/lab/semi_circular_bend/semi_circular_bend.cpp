@@ -179,10 +179,10 @@ TestDescription description() {
                 .intact = 0.02,
                 .bedded = 0.015};
   // Bending waves are slower: at half of these transits K_Ic is 3 % higher.
-  d.peak_of_value = {[](const Recipe& r, double K_Ic, double) {
-                       return bend_compliance * (K_Ic / isotropic_K_I(bend_specimen(r), 1.0));
-                     },
-                     200.0};
+  d.peak_of_value.strain_times_modulus = [](const Recipe& r, double K_Ic, double) {
+    return bend_compliance * (K_Ic / isotropic_K_I(bend_specimen(r), 1.0));
+  };
+  d.peak_of_value.wave_transits = 200.0;
   d.loading_text = loading_text_of;
   d.load_on_box = ", from whose middle the half discs are cut";
   d.load_on_bedding = ", the load and the notch being vertical";
