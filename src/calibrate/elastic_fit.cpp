@@ -21,9 +21,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Point = ElasticProblem::Point;
 
-// Weights of nu where it contradicts E, and how much worse than best E may be fitted for the sake of it.
-constexpr double nu_weights[] = {0.01, 0.03, 0.1, 0.3};
-constexpr double worse_for_nu = 1.2, least_misfit = 0.002;
+// Weights of nu where it contradicts E, and how much worse E may be fitted for the sake of it: by no more
+// than its own errors tell, the likelihood ratio of one number at 5 % (chi-square).
+constexpr double nu_weights[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.7};
+constexpr double told_apart = 3.84;
 constexpr std::size_t n_first_correction = 2;  // packings
 constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
 constexpr std::size_t scatter_degrees = 4;     // at least, of packings: fits have five, those of tests fewer
@@ -178,24 +179,38 @@ double worst_E(const std::vector<Comparison>& rows) {
   return worst;
 }
 
-double rms_E(const std::vector<Comparison>& rows) {
-  double squares = 0.0;
+/// Misfit of E, chi-square in the laboratory's stated errors. An assumed one is no reason to leave E: half of
+/// the tolerance stands for it, as where strengths are sought (best_estimate.hpp).
+struct MisfitOfE {
+  double chi2 = 0.0;
   int n = 0;
-  for (const Comparison& c : rows)
-    if (c.target.property == Property::E) squares += c.error() * c.error(), ++n;
-  return std::sqrt(squares / std::max(1, n));
-}
 
-/// E as well as it can be had, then as much weight for nu as costs E no more than a fifth of its misfit.
+  explicit MisfitOfE(const std::vector<Comparison>& rows) {
+    for (const Comparison& c : rows) {
+      const Target& t = c.target;
+      if (t.property != Property::E) continue;
+      const double stated = t.sd_assumed ? 0.0 : t.normal_error() / t.mean;
+      chi2 += std::pow(c.error() / std::max(stated, 0.5 * tolerance(Property::E)), 2.0), ++n;
+    }
+  }
+  /// What can be told apart, from the least misfit on: a model that cannot have E knows it no better than it
+  /// fits.
+  double limit(std::size_t n_parameters) const {
+    const double degrees = std::max(1.0, static_cast<double>(n) - static_cast<double>(n_parameters));
+    return chi2 + told_apart * std::max(1.0, chi2 / degrees);
+  }
+};
+
+/// E as well as it can be had; then, of all that E cannot tell apart, the nearest nu.
 void find_nearest_nu(ElasticProblem& problem, Point& x) {
-  double least = 0.0, kept = 0.0;
+  double limit = 0.0, kept = 0.0;
   for (const double weight : nu_weights) {
     Point moved = x;
     problem.weigh_nu(weight);
     minimise(problem, moved, 6, 1e-3);
-    const double misfit = rms_E(problem.comparisons(moved));
-    if (weight == nu_weights[0]) least = misfit;
-    if (misfit > std::max(worse_for_nu * least, least + least_misfit)) break;
+    const MisfitOfE misfit(problem.comparisons(moved));
+    if (weight == nu_weights[0]) limit = misfit.limit(problem.n_parameters());
+    if (misfit.chi2 > limit) break;
     x = moved, kept = weight;
   }
   problem.weigh_nu(kept);

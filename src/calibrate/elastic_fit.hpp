@@ -8,8 +8,9 @@
 //
 // E and nu of a table may belong to no layered elastic body, or to one that joints in an isotropic matrix are
 // not: then no parameters have both (elastic_limits.hpp says which). If E misses the table by more than 3 %,
-// and by more than the laboratory's scatter explains, while nu is in the fit, the stage is repeated with nu
-// at a tenth of its weight: moduli matter most to an engineer, and the verdict tells by how much nu gave way.
+// and by more than the laboratory's scatter explains, while nu is in the fit, the stage is repeated with the
+// largest weight of nu that E cannot tell from the least: moduli matter most to an engineer, and the verdict
+// tells by how much nu gave way.
 #pragma once
 #include <functional>
 #include <string>

@@ -34,7 +34,7 @@ constexpr std::size_t fewest_to_leave_out = 4;                // targets
 // more than chance makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of
 // UCS), or while the estimate moves on to where less is known than where it was tried, or to where too little
 // is known: the nearest of several valleys may change with every round, and one that was hardly tried is no
-// answer.
+// answer. They end with the first that comes no nearer to the table.
 constexpr double most_surprise = 0.6;   // tolerances
 constexpr double most_growth = 1.2;     // of the uncertainty
 constexpr double most_uncertain = 0.4;  // tolerances
@@ -72,6 +72,27 @@ double uncertainty_at(const StrengthPosterior& posterior, const Point& x) {
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
     sum += posterior.predict(x, i).variance / std::pow(tolerance(posterior.targets()[i].property), 2);
   return std::sqrt(sum / static_cast<double>(posterior.n_targets()));
+}
+
+/// What is expected to be missed at a point, what is not known of it included: tolerances, root mean square.
+double expected_miss(const StrengthPosterior& posterior, const Point& x) {
+  double sum = 0.0;
+  const std::vector<StrengthPosterior::Miss> misses = posterior.misses(x);
+  for (std::size_t i = 0; i < posterior.n_targets(); ++i)
+    sum +=
+        (misses[i].error * misses[i].error + misses[i].variance) / std::pow(tolerance(misses[i].property), 2);
+  return std::sqrt(sum / static_cast<double>(posterior.n_targets()));
+}
+
+/// Is the last of the points that rounds have tried nearer to the table than all before it, by more than what
+/// is unknown of its strengths moves the root mean square? All by the same posterior, so that what a packing
+/// does to one does not decide.
+bool came_nearer(const StrengthPosterior& posterior, const std::vector<Point>& tried) {
+  const double noise = uncertainty_at(posterior, tried.back()) /
+                       std::sqrt(static_cast<double>(posterior.n_targets())),
+               last = expected_miss(posterior, tried.back());
+  return std::none_of(tried.begin(), tried.end() - 1,
+                      [&](const Point& x) { return expected_miss(posterior, x) <= last + noise; });
 }
 
 /// Why the search should continue after a round at `tried`; nothing: the estimate has settled.
@@ -228,16 +249,17 @@ class StrengthSearch {
     const std::size_t n_planned = plan_.batches.size();
     learn(0);  // from the prior mean alone
     for (std::size_t b = 0; b < plan_.batches.size(); ++b) {
-      const Point tried = estimate_;
+      const Point at = estimate_;
       const double surprise = run_batch(b);
       if (!posterior_.without_runs().empty()) return report_silent();
       if (task_.refit) refit_moduli();
       learn(b + 1);
+      if (plan_.batches[b].at_estimate) tried_.push_back(at);
       // The first tests on the recipe's own grains surprise by what coarse ones are off, whatever the
       // estimate.
       const bool none_follow = course_ != Course::own && plan_.most_batches == n_planned;
       if (b + 1 < plan_.batches.size() || none_follow) continue;
-      if (const auto why = unsettled(posterior_, estimate_, tried, surprise)) go_on(*why);
+      if (const auto why = unsettled(posterior_, estimate_, at, surprise)) go_on(*why);
     }
     report();
   }
@@ -265,6 +287,7 @@ class StrengthSearch {
   PackingDealer dealer_;
   std::vector<Point> draws_;
   Point estimate_;
+  std::vector<Point> tried_;  // by rounds
   std::int64_t n_tests_ = 0;
 
   void learn(std::size_t n_batches) {
@@ -368,8 +391,13 @@ class StrengthSearch {
     posterior_.take_moduli(task_.evidence, fit_.recipe);
   }
 
-  /// Another round, where rounds and budget allow it; else the reason is noted.
+  /// Another round, where the last one came nearer and rounds and budget allow it; else the reason is noted.
   void go_on(const Finding& why) {
+    if (!came_nearer(posterior_, tried_)) {
+      fit_.notes.push_back(
+          {FindingKind::rounds_no_nearer, {}, {{"rounds", static_cast<double>(tried_.size())}}});
+      return;
+    }
     const std::int64_t spent = task_.simulator.count().compression() - first_test_,
                        round = task_.evidence.n_compressive() * static_cast<std::int64_t>(packings_per_round);
     if (plan_.batches.size() < plan_.most_batches && spent + round <= task_.budget.max_tests)

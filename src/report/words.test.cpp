@@ -83,6 +83,8 @@ TEST(Words, CausesOfTheMisfit) {
 }
 
 TEST(Words, NotesOfTheWay) {
+  EXPECT_EQ(sentence({Kind::rounds_no_nearer, {}, {{"rounds", 4.0}}}),
+            "The search ended after 4 rounds: the last came no nearer to the table.");
   EXPECT_EQ(sentence({Kind::search_short,
                       {},
                       {{"tests", 60.0}, {"models", 2.0}, {"of_effort", 1.0}, {"of_tests", 1.0}}}),

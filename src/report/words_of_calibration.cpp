@@ -466,6 +466,11 @@ const std::vector<Wording> search_words = {
      }},
     {Kind::unsettled_moved,
      [](F) { return unsettled("it moved to where less is known than where it was tried"); }},
+    {Kind::rounds_no_nearer,
+     [](F f) {
+       return fmt::format("The search ended after {:.0f} rounds: the last came no nearer to the table.",
+                          f.number("rounds"));
+     }},
     {Kind::eq1_refused,
      [](F f) {
        return fmt::format("Eq. 1 does not fit the table ({}): the joints are as stiff as is admissible.",
