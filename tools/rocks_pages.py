@@ -119,7 +119,7 @@ def use_of(card):
                      + (f"the best curve, {CURVES.get(y['best'], y['best'])}, has {per_cent([y['best_error']])}." if y["best"] else "no curve compares."))
     for p in card["predictions"]:
         if "rms" in p:
-            parts.append(f"Predicted before it was compared, {p['text']}: {per_cent(p['rms'])} (rms); {p['yardstick']} has {per_cent([p['yardstick_rms']])}.")
+            parts.append(f"Planned before it was run, {p['text']}: {per_cent(p['rms'])} (rms); {p['yardstick']} has {per_cent([p['yardstick_rms']])}.")
     return " ".join(parts)
 
 
@@ -218,9 +218,9 @@ def rows_of(cards):
     if (card := cards.get("boryeong-shale", {})).get("errors"):
         yield from paper_rows(card)
     for p in (p for c in cards.values() for p in c.get("predictions", []) if "rms" in p):
-        yield measured.row(f"predicted first, {p['name']}: rms", f"{100 * statistics.median(p['rms']):.1f}", "%",
+        yield measured.row(f"planned first, {p['name']}: rms", f"{100 * statistics.median(p['rms']):.1f}", "%",
                            f"yardstick {100 * p['yardstick_rms']:.1f}", f"{p['calibrations']} calibrations")
-        yield measured.row(f"predicted first, {p['name']}: in the band", f"{100 * p['inside'] / p['of']:.0f}", "%", "", f"{p['of']} values")
+        yield measured.row(f"planned first, {p['name']}: in the band", f"{100 * p['inside'] / p['of']:.0f}", "%", "", f"{p['of']} values")
 
 
 def paper_rows(card):
