@@ -226,7 +226,8 @@ SimulatorCount operator-(const SimulatorCount& a, const SimulatorCount& b) {
 
 }  // namespace
 
-Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
+Calibration calibrate(const Evidence& evidence, const CalibrationOptions& asked, Simulator& simulator) {
+  const CalibrationOptions options = settled(asked, evidence);
   check_budget(evidence, options);
   const auto start = std::chrono::steady_clock::now();
   const SimulatorCount before = simulator.count();

@@ -10,13 +10,15 @@ namespace phy::calibrate {
 
 struct Effort {
   std::string_view name;
-  double points;        ///< of the search, in those of "normal"
-  std::size_t further;  ///< rounds at an estimate that has not settled, at most
+  double points;          ///< of the search, in those of "normal"
+  std::size_t further;    ///< rounds at an estimate that has not settled, at most
+  bool foreseen = false;  ///< short, because no long search is expected to bring the rock within reach
 };
 
-inline constexpr std::array<Effort, 3> efforts = {
-    {{"quick", 0.5, 0}, {"normal", 1.0, 6}, {"thorough", 2.0, 12}}};
-inline constexpr Effort normal_effort = efforts[1];
+/// What settled() makes of "auto" depends on the table.
+inline constexpr std::array<Effort, 4> efforts = {
+    {{"auto", 1.0, 6}, {"quick", 0.5, 0}, {"normal", 1.0, 6}, {"thorough", 2.0, 12}}};
+inline constexpr Effort auto_effort = efforts[0], quick_effort = efforts[1], normal_effort = efforts[2];
 
 /// What a search may cost.
 struct Budget {

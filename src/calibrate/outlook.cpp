@@ -266,7 +266,8 @@ Outlook outlook_of(const Evidence& begins, int model, const std::vector<Evidence
   return course;
 }
 
-Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& options) {
+Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& asked) {
+  const CalibrationOptions options = settled(asked, evidence);
   const std::vector<Rock> candidates = maps::candidates_of(evidence);
   std::vector<Evidence> kinds = kinds_of(evidence, candidates);
   if (candidates.size() == 1 || !method_of(options.method).compares_models)

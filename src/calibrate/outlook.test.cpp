@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "calibrate/calibration.hpp"
+#include "calibrate/plan.hpp"
 #include "calibrate/strength_rocks_fixture.hpp"
 #include "records/reading_fixture.hpp"
 
@@ -29,6 +30,29 @@ TEST(Outlook, ACalibrationTakesTestsWithinWhatWasAhead) {
       EXPECT_LE(ahead.least_tests, c.counts.tests) << n_grains << " " << scatter;
       EXPECT_GE(ahead.most_tests, c.counts.tests) << n_grains << " " << scatter;
     }
+}
+
+// Strongest where every layered model is weakest: no search is long enough.
+TEST(Outlook, ATableForecastOutOfReachGetsAShortSearchFirst) {
+  const Evidence within = evidence_of(1197);
+  std::vector<Target> table = within.targets;
+  for (Target& t : table)
+    if (t.property == Property::ucs && t.theta > 0.0 && t.theta < 90.0) t.mean *= 4.0, t.sd *= 4.0;
+  const Evidence beyond(within.rock, table);
+  CalibrationOptions options;
+  options.effort = auto_effort;
+  EXPECT_EQ(settled(options, within).effort.name, normal_effort.name);
+  const Effort first = settled(options, beyond).effort;
+  EXPECT_EQ(first.name, quick_effort.name);
+  EXPECT_TRUE(first.foreseen);
+  options.effort = normal_effort;  // asked for
+  EXPECT_EQ(settled(options, beyond).effort.name, normal_effort.name);
+
+  options.effort = auto_effort;
+  PaperPress press;
+  const Calibration c = calibrate(beyond, options, press);
+  EXPECT_EQ(c.effort, "quick");
+  EXPECT_GT(c.shortage.tests, 0);
 }
 
 TEST(Outlook, NoMoreTestsLieAheadThanAreAllowed) {

@@ -10,6 +10,7 @@
 #include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/search_plan.hpp"
 #include "calibrate/softening.hpp"
+#include "maps/forecast.hpp"
 #include "verdict/cells.hpp"
 
 namespace phy::calibrate {
@@ -64,6 +65,15 @@ Packings packings_from(std::int64_t first) {
   for (const auto& more : {p.spare, take(n_search - n_fit - n_spare)})
     p.search.insert(p.search.end(), more.begin(), more.end());
   return p;
+}
+
+CalibrationOptions settled(CalibrationOptions options, const Evidence& evidence) {
+  if (options.effort.name != auto_effort.name) return options;
+  const auto forecast = options.elastic_only ? std::nullopt : maps::forecast_of(evidence);
+  options.effort = normal_effort;
+  if (forecast && forecast->status == VerdictStatus::out_of_reach)
+    options.effort = quick_effort, options.effort.foreseen = true;
+  return options;
 }
 
 Scope scope_of(const Evidence& evidence, const CalibrationOptions& options) {

@@ -23,6 +23,10 @@ Packings packings_from(std::int64_t first);
 /// Seeds from `first` on.
 std::vector<std::int64_t> seeds_from(std::int64_t first, int n);
 
+/// The options of a calibration of this table: effort "auto" is normal, and quick where the forecast sees the
+/// table out of reach.
+CalibrationOptions settled(CalibrationOptions options, const Evidence& evidence);
+
 constexpr int n_softened = 5;  ///< packings on which softening is measured at the estimate
 
 /// What is fitted, and notes on what is not.

@@ -42,7 +42,7 @@ calibrate::Effort effort_of(const CalibrationRequest& request) {
   const std::string other = request.method == "sequence" ? option_set("method", "sequence")
                             : request.elastic            ? option_set("elastic")
                                                          : "";
-  if (!other.empty() && effort->name != calibrate::normal_effort.name)
+  if (!other.empty() && effort->name != calibrate::auto_effort.name)
     throw InputError(option_problem("effort", request.effort, "none beside " + other,
                                     "it is that of a search of strengths, which is not made there"));
   return *effort;

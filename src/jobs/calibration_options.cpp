@@ -68,7 +68,9 @@ const std::vector<CalibrationOption>& calibration_options() {
   static const std::vector<CalibrationOption> options = {
       {"out", "", "folder for the results", &R::out, {}, 0, false},
       {"effort", "Effort of the search",
-       "how many tests the search of strengths takes: quick half of the usual, thorough twice as many",
+       "how many tests the search of strengths takes: quick half of normal, thorough twice as many; auto: "
+       "normal, but quick where the forecast "
+       "sees the table out of reach",
        &R::effort, effort_names()},
       {"max_tests",
        "Largest number of tests",

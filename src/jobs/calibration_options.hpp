@@ -17,7 +17,7 @@ namespace phy::jobs {
 struct CalibrationRequest {
   std::string rock;                         ///< the file, or what stands in its place in messages
   std::string out = "results/calibration";  ///< folder; empty: nothing is kept
-  std::string effort{calibrate::normal_effort.name}, matrix, method = "posterior";
+  std::string effort{calibrate::auto_effort.name}, matrix, method = "posterior";
   std::int64_t max_tests = calibrate::CalibrationOptions().max_tests;
   bool elastic = false, with_untrusted = false, resume = false;
 };

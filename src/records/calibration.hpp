@@ -129,6 +129,8 @@ struct AngleFactor {
 struct Shortage {
   bool of_effort = false;  ///< points, for a lower effort
   bool of_tests = false;   ///< for too small a budget
+  bool foreseen = false;   ///< a lower effort, because the forecast saw the table out of reach
+  std::int64_t tests = 0;  ///< in compression, that a usual search takes more
   bool any() const { return of_effort || of_tests; }
 };
 

@@ -87,10 +87,26 @@ TEST(Words, NotesOfTheWay) {
             "The search ended after 4 rounds: the last came no nearer to the table.");
   EXPECT_EQ(sentence({Kind::search_short,
                       {},
-                      {{"tests", 60.0}, {"models", 2.0}, {"of_effort", 1.0}, {"of_tests", 1.0}}}),
+                      {{"tests", 60.0},
+                       {"models", 2.0},
+                       {"of_effort", 1.0},
+                       {"of_tests", 1.0},
+                       {"foreseen", 0.0},
+                       {"more", 0.0}}}),
             "The search was short (60 tests in compression by 2 models). In a new folder --effort normal and "
             "a larger --max-tests "
             "may come nearer.");
+  EXPECT_EQ(sentence({Kind::search_short,
+                      {},
+                      {{"tests", 60.0},
+                       {"models", 1.0},
+                       {"of_effort", 1.0},
+                       {"of_tests", 0.0},
+                       {"foreseen", 1.0},
+                       {"more", 90.0}}}),
+            "The search was short (60 tests in compression): the forecast saw the table out of reach. In a "
+            "new folder "
+            "--effort normal may come nearer, with 90 tests more.");
   EXPECT_EQ(sentence({Kind::packings_added, {}, {{"packings", 10.0}, {"usual", 5.0}}}),
             "Strengths of packings of this size differ so much that 10 unseen ones were taken instead of 5.");
 }

@@ -431,11 +431,15 @@ const std::vector<Wording> test_words = {
 const std::vector<Wording> search_words = {
     {Kind::search_short,
      [](F f) {
+       const std::string more = f.number("more") > 0.0
+                                    ? ", with " + counted_text(f.number("more"), "test") + " more"
+                                    : std::string();
        return fmt::format(
-           "The search was short ({} in compression{}). In a new folder {} may come nearer.",
+           "The search was short ({} in compression{}){}. In a new folder {} may come nearer{}.",
            counted_text(f.number("tests"), "test"),
            f.number("models") > 1.0 ? " by " + counted_text(f.number("models"), "model") : std::string(),
-           options_of_search(f));
+           f.number("foreseen") > 0.0 ? ": the forecast saw the table out of reach" : "",
+           options_of_search(f), more);
      }},
     {Kind::search_cut,
      [](F f) {

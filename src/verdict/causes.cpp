@@ -134,7 +134,9 @@ std::optional<Finding> search_short(const Calibration& c) {
                  {{"tests", static_cast<double>(c.counts.compression())},
                   {"models", static_cast<double>(c.discarded.size() + 1)},
                   {"of_effort", c.shortage.of_effort ? 1.0 : 0.0},
-                  {"of_tests", c.shortage.of_tests ? 1.0 : 0.0}},
+                  {"of_tests", c.shortage.of_tests ? 1.0 : 0.0},
+                  {"foreseen", c.shortage.foreseen ? 1.0 : 0.0},
+                  {"more", static_cast<double>(c.shortage.tests)}},
                  {},
                  Advice::longer_search};
 }
@@ -192,7 +194,9 @@ void explain_missed(const View& v, Verdict& verdict) {
     verdict.next = step(*v.of.rival);
   if (const auto cut = search_short(v.of)) {
     causes.push_back(*cut);
-    if (parts.empty() || parts.front() != Part::moduli) verdict.next = step(*cut);  // which no search changes
+    // which no search changes, nor what was foreseen
+    const bool as_foreseen = v.of.shortage.foreseen && verdict.status == VerdictStatus::out_of_reach;
+    if (!as_foreseen && (parts.empty() || parts.front() != Part::moduli)) verdict.next = step(*cut);
   }
 }
 

@@ -326,6 +326,10 @@ TEST(Cause, ASearchCutShort) {
   EXPECT_EQ(cut->number("of_tests"), 1.0);
   EXPECT_EQ(cut->number("of_effort"), 0.0);
   EXPECT_EQ(v.next.advice, Advice::longer_search);
+  c.shortage.foreseen = true;  // out of reach, and so it is
+  const Verdict foreseen = verdict_of(c);
+  EXPECT_NE(first_of(foreseen.causes, Kind::search_short), nullptr);
+  EXPECT_NE(foreseen.next.advice, Advice::longer_search);
 }
 
 TEST(Cause, AValueWithoutAnAnswerComesFirst) {
