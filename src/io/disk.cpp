@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
   if (error == ENOENT) remedy = "; check the name";
   if (error == EFBIG && !reading) remedy = "; it is beyond the limit of a file's size (ulimit -f)";
   if (error == EISDIR) remedy = "; name a file, not a folder";
-  if (error == ENOSPC || error == EDQUOT)
-    remedy = "; free some space, or choose another folder with " + option("out");
+  if (system::is_full(error)) remedy = "; free some space, or choose another folder with " + option("out");
   if (error == EACCES || error == EROFS || error == EPERM)
     remedy = std::string("; check the permissions") +
              (reading ? "" : ", or choose a folder of your own with " + option("out"));

@@ -60,6 +60,8 @@ int replace(const std::string& from, const std::string& to);
 /// Exchanges two names in one moment; the errno of what failed, or 0.
 int exchange(const std::string& one, const std::string& other);
 
+/// Of an errno: the disk has no more space, or none for this user.
+bool is_full(int error);
 bool may_write(const std::string& file);
 bool may_write_in(const std::string& folder);
 /// False also where the system does not say.

@@ -146,6 +146,8 @@ int exchange(const std::string& one, const std::string& other) {
   return done != 0 ? errno : 0;
 }
 
+bool is_full(int error) { return error == ENOSPC || error == EDQUOT; }
+
 bool may_write(const std::string& file) { return ::access(file.c_str(), W_OK) == 0; }
 
 bool may_write_in(const std::string& folder) { return ::access(here_if_empty(folder), W_OK | X_OK) == 0; }
