@@ -13,10 +13,10 @@
 #include <memory>
 #include <vector>
 
-#include "base/clock.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
+#include "system/process.hpp"
 
 namespace {
 
@@ -70,9 +70,9 @@ struct Press {
     for (const auto& t : tests) t->after_block();
   }
   double seconds() {
-    const double start = thread_seconds();
+    const double start = phy::system::thread_seconds();
     block();
-    return thread_seconds() - start;
+    return phy::system::thread_seconds() - start;
   }
 };
 

@@ -4,14 +4,14 @@
 Also: theory never meets a room that makes results, analysis never meets engine, report meets no room that makes results
 (it reads records), a study prints nothing, calibration drives no engine, a law never meets another law nor a laboratory test
 another test, rooms do not include each other in circles, every room has a namespace of its own, files are opened by
-io/file.hpp alone, which waits for no pipe, and no line is longer than 110 characters. Prints every violation with file and line; exit 1 if any.
+io/file.hpp alone, which waits for no pipe, what is no portable C++ is in the room of the system, and no line is longer than 110 characters. Prints every violation with file and line; exit 1 if any.
 """
 import pathlib
 import re
 import sys
 
 FLOORS = {
-    "base": 0,
+    "base": 0, "system": 0,
     "records": 1, "theory": 1, "laws": 1,
     "contact": 2,
     "engine": 3, "analysis": 3, "io": 3,
@@ -28,7 +28,10 @@ NEVER |= {("report", room) for room in MAKES_RESULTS | {"study"}}  # it reads re
 NEVER |= {("study", "report"), ("maps", "calibrate"), ("maps", "survey"), ("survey", "calibrate"), ("calibrate", "engine"), ("calibrate", "contact"), ("calibrate", "report")}
 LONERS = {"laws": "a law", "lab": "a laboratory test"}  # each in a folder of its own
 COMMON = {"base", "records"}  # the vocabulary of all rooms: in phy itself, not in phy::<room>
-OPENS_FILES = {"study/store.cpp"}  # of the system: in /proc they have no size
+OPENS_FILES = {"system/process_posix.cpp"}  # of the system: in /proc they have no size
+# What is not portable C++: the room "system" alone includes it, and its headers do not.
+OF_A_SYSTEM = re.compile(r"\s*#\s*include <(sys/|net/|netinet/|arpa/|linux/|(unistd|spawn|fcntl|poll|signal|csignal|sched|pthread|dirent|dlfcn|glob|netdb|"
+                         r"pwd|termios|utime|windows|winsock2|io|process)(\.h)?>)|.*::(getpid|isatty|usleep|clock_gettime)\(")
 MAX_LINE = 110
 root = pathlib.Path(__file__).resolve().parent.parent / "src"
 problems = []
@@ -75,6 +78,12 @@ def check_opening(file, number, line):
         problems.append(f"src/{file}:{number}: opens a file by itself; use io/file.hpp, which waits for no pipe")
 
 
+def check_system(file, number, line):
+    own = room_of(file) == "system" and file.suffix == ".cpp"
+    if not own and not re.search(r"\.test\.|_fixture\.", file.name) and OF_A_SYSTEM.match(line):
+        problems.append(f"src/{file}:{number}: is not portable; what needs a header of the system belongs to src/system/*.cpp")
+
+
 def check_circles():
     def visit(room, path):
         for other in edges.get(room, {}):
@@ -98,6 +107,7 @@ for file in sorted(root.rglob("*.[ch]pp")):
             problems.append(f"src/{relative}:{number}: {len(line)} characters, at most {MAX_LINE}")
         check_namespace(relative, number, line)
         check_opening(relative, number, line)
+        check_system(relative, number, line)
         include = re.match(r'\s*#include "([^"]+)"', line)
         if include:
             check_include(relative, number, include.group(1))

@@ -1,14 +1,12 @@
 #include "cli/live_plot.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 
-#include "cli/terminal.hpp"
 #include "report/run_figures.hpp"
 #include "report/terminal_plot.hpp"
+#include "system/terminal.hpp"
 
 namespace phy::cli {
 namespace {
@@ -34,7 +32,7 @@ bool speaks_utf8() {
 
 /// Columns for the picture; 0: none.
 int picture_columns() {
-  const TerminalSize size = terminal_size(STDERR_FILENO);
+  const system::TerminalSize size = system::terminal_size(system::standard_error);
   const std::string terminal = environment("TERM");
   if (size.columns < least_columns || size.lines < least_rows || terminal.empty() || terminal == "dumb")
     return 0;

@@ -2,39 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-
 #include "base/check.hpp"
 #include "io/program.hpp"
 #include "jobs/machine.hpp"
+#include "system/terminal.hpp"
 
 namespace phy::cli {
-namespace {
-
-std::atomic<bool> stop_requested{false};
-
-/// The second one ends the program, as it would have without this. Not SIGHUP: of a terminal that closes,
-/// kernel and shell both tell.
-void on_signal(int signal) {
-  // Only flags and signals here: nothing else is allowed in a handler.
-  if (!stop_requested.exchange(true) || signal == SIGHUP) return;
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-/// Ctrl-C, what batch systems and `kill` send, a terminal that has closed. Under nohup SIGHUP comes ignored,
-/// and stays so.
-bool catch_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    ::sigaction(signal, nullptr, &action);
-    if (signal != SIGHUP || action.sa_handler != SIG_IGN) std::signal(signal, on_signal);
-  }
-  return true;
-}
-
-}  // namespace
-
 int n_threads(const Session& session) { return jobs::n_threads(session.threads); }
 
 std::string speed_words(const TestRecipe& test) {
@@ -49,14 +22,12 @@ study::MachineOptions machine_of(const Session& session) { return jobs::machine_
 
 const std::atomic<bool>* stop_on_interrupt() {
   // Not at the start: until input has been read a signal should simply end the program.
-  static const bool once = catch_signals();
-  static_cast<void>(once);
-  return &stop_requested;
+  return &system::stop_requested();
 }
 
 void make_file_or_stop(const std::string& path,
                        const std::function<void(const std::string& temporary)>& make) {
-  stop_on_interrupt();
+  const std::atomic<bool>& stop_requested = *stop_on_interrupt();
   try {
     io::make_file(path, [&](const std::string& temporary) {
       make(temporary);

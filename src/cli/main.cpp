@@ -1,7 +1,6 @@
 // `phyllite`: parses the command line, runs one verb, and is the only place that turns exceptions into exit
 // codes.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +20,7 @@
 #include "genesis/settle.hpp"
 #include "jobs/failure.hpp"
 #include "records/recipe_schema.hpp"
+#include "system/terminal.hpp"
 
 namespace {
 
@@ -102,7 +102,7 @@ constexpr auto verbs = [] {
 
 int run(int argc, char** argv) {
   phy::cli::Session session;
-  session.terminal_width = phy::cli::terminal_size(STDOUT_FILENO).columns;
+  session.terminal_width = phy::system::terminal_size(phy::system::standard_output).columns;
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
                "phyllite"};
   app.set_version_flag("--version", std::string(phy::program));
@@ -147,7 +147,7 @@ int say(int exit_code, const char* begin, const char* what) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  phy::cli::guard_standard_streams();
+  phy::system::guard_standard_streams();
   try {
     return run(argc, argv);
   } catch (const phy::InputError& e) {

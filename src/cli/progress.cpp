@@ -1,20 +1,20 @@
 #include "cli/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
 #include "base/clock.hpp"
 #include "base/quote.hpp"
 #include "cli/terminal.hpp"
+#include "system/terminal.hpp"
 
 namespace phy::cli {
 namespace {
 
 /// A line that fills the terminal would push the cursor onto the next one.
 std::size_t line_columns() {
-  const int columns = terminal_size(STDERR_FILENO).columns;
+  const int columns = system::terminal_size(system::standard_error).columns;
   return static_cast<std::size_t>(columns > 1 ? columns - 1 : 79);
 }
 
@@ -22,7 +22,8 @@ constexpr double between_drawings = 0.2, between_lines = 10.0;  // [s] on a term
 
 }  // namespace
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), shown_(start_) {}
+ProgressLine::ProgressLine()
+    : terminal_(system::is_terminal(system::standard_error)), start_(Clock::now()), shown_(start_) {}
 
 void ProgressLine::show(const std::function<std::string(double)>& say) {
   if (seconds_since(shown_) < (terminal_ ? between_drawings : between_lines)) return;

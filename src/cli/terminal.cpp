@@ -1,11 +1,6 @@
 #include "cli/terminal.hpp"
 
-#include <fcntl.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -21,21 +16,6 @@ void note(bool written) {
 }
 
 }  // namespace
-
-TerminalSize terminal_size(int file_descriptor) {
-  winsize size{};
-  if (isatty(file_descriptor) == 0 || ioctl(file_descriptor, TIOCGWINSZ, &size) != 0) return {};
-  return {size.ws_col, size.ws_row};
-}
-
-// /dev/null the wrong way round: reading and writing fail as they would have on the closed descriptor.
-void guard_standard_streams() {
-  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(fd, F_GETFD) < 0 && errno == EBADF)
-      static_cast<void>(::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY));
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-}
 
 void write_out(std::string_view text) {
   const std::string safe = terminal_text(text);

@@ -15,17 +15,6 @@
 
 namespace phy::cli {
 
-/// Zeros where there is no terminal, or none that says how large it is.
-struct TerminalSize {
-  int columns = 0, lines = 0;
-};
-TerminalSize terminal_size(int file_descriptor);
-
-/// Before anything else is opened. Gives descriptors 0, 1 and 2 that came closed to nobody: the next file
-/// would get their number, and be printed into. A closed pipe is an error of writing from here on, no signal,
-/// and so is a file beyond the limit of its size (ulimit -f).
-void guard_standard_streams();
-
 /// Text to standard output: names and messages of others in it cannot act on the terminal (base/quote.hpp).
 void write_out(std::string_view text);
 /// Text to standard error as it is, with the control sequences of progress: what others wrote goes through

@@ -15,6 +15,7 @@
 #include "io/csv.hpp"
 #include "io/file.hpp"
 #include "records/recipe_schema.hpp"
+#include "system/process.hpp"
 
 namespace phy::genesis {
 namespace {
@@ -98,15 +99,8 @@ std::optional<Packing> from_text(const std::string& text, const std::string& key
 }  // namespace
 
 std::filesystem::path default_cache_folder() {
-  const auto variable = [](const char* name) -> std::string {
-    const char* value = std::getenv(name);
-    return value != nullptr ? value : "";
-  };
-  // The XDG base directory specification: a relative path is invalid and to be ignored.
-  const std::filesystem::path cache = variable("XDG_CACHE_HOME");
-  if (cache.is_absolute()) return cache / "phyllite";
-  const std::filesystem::path home = variable("HOME");
-  return home.empty() ? home : home / ".cache" / "phyllite";
+  const std::filesystem::path folder = system::cache_folder();
+  return folder.empty() ? folder : folder / "phyllite";
 }
 
 std::string packing_key(const SpecimenSize& size, const PackingRecipe& r, const MatrixRecipe& matrix) {

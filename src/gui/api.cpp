@@ -257,11 +257,11 @@ Json Api::rock(const std::string& name) {
 }
 
 Api::Work Api::work_in(const std::string& folder) {
-  const pid_t other = jobs::working_in(folder);
+  const int other = jobs::working_in(folder);
   const std::lock_guard lock(mutex_);
   const auto child = children_.find(folder);
   if (child != children_.end() && child->second->running()) {
-    const pid_t process = child->second->process();
+    const int process = child->second->process();
     if (child->second->ending.asked(process)) child->second->ending.ask(process);
     return {process, true, -1};
   }
@@ -395,7 +395,7 @@ Json Api::stop(const Json& asked) {
   check_name(name);
   if (!test.empty()) check_name(test);
   const std::string folder = test.empty() ? calibration_of(name) : path_in(tests_of(name), test);
-  const pid_t process = work_in(folder).process;
+  const int process = work_in(folder).process;
   const std::lock_guard lock(mutex_);
   const auto child = children_.find(folder);
   const bool here = child != children_.end() && child->second->process() == process;

@@ -41,7 +41,7 @@ class Api {
  private:
   /// What works in a folder.
   struct Work {
-    pid_t process = 0;  ///< started here or elsewhere, as jobs::working_in()
+    int process = 0;  ///< started here or elsewhere, as jobs::working_in()
     bool here = false;
     int exit_code = -1;  ///< of what was started here and runs no more
   };

@@ -1,8 +1,6 @@
 // This very program, started once more for a long piece of work: what the page starts is the command that it
 // shows, and goes the same way as from a terminal. Its output goes into a file.
 #pragma once
-#include <sys/types.h>
-
 #include <chrono>
 #include <string>
 #include <vector>
@@ -15,11 +13,11 @@ class Ending {
  public:
   static constexpr std::chrono::seconds patience{15};
   /// To be called again as long as the process is there. False: it may not be ended, or is not there.
-  bool ask(pid_t process);
-  bool asked(pid_t process) const { return process == process_; }
+  bool ask(int process);
+  bool asked(int process) const { return process == process_; }
 
  private:
-  pid_t process_ = 0;
+  int process_ = 0;
   std::chrono::steady_clock::time_point since_;
 };
 
@@ -32,17 +30,16 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   bool running();
-  pid_t process() const { return process_; }
+  int process() const { return process_; }
   /// Once it runs no more; of a child that a signal has killed 128 and its number, or 1 if it was asked to
   /// end.
   int exit_code() const { return exit_code_; }
   Ending ending;
 
  private:
-  pid_t process_ = 0;
+  int process_ = 0;
   bool running_ = true;
   int exit_code_ = 0;
-  void ended(int status);
 };
 
 }  // namespace phy::gui

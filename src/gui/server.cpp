@@ -1,7 +1,6 @@
 #include "gui/server.hpp"
 
 #include <fmt/format.h>
-#include <sys/random.h>
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -17,6 +16,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "system/process.hpp"
 
 namespace phy::gui {
 namespace {
@@ -112,8 +112,7 @@ bool decode_url(const std::string& text, bool plus_is_blank, std::string& decode
 
 std::string random_token() {
   unsigned char bytes[16];
-  if (getrandom(bytes, sizeof bytes, 0) != static_cast<ssize_t>(sizeof bytes))
-    throw IoError("the system gives no random numbers");
+  if (!system::random_bytes(bytes, sizeof bytes)) throw IoError("the system gives no random numbers");
   std::string token;
   for (const unsigned char b : bytes) token += fmt::format("{:02x}", b);
   return token;

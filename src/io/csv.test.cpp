@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "base/check.hpp"
-#include "base/clock.hpp"
 #include "base/in_folder_fixture.hpp"
 #include "base/rng.hpp"
 #include "records/assembly.hpp"
 #include "records/test_description.hpp"
+#include "system/process.hpp"
 
 namespace phy::io {
 namespace {
@@ -145,9 +145,9 @@ TEST(DiscFiles, OneHugeDiscAmongManyDoesNotTakeLong) {
   for (int i = 0; i < 150000; ++i)
     rows += std::to_string(i % 300 * 0.003) + "," + std::to_string(i / 300 * 0.003) + ",0.001\n";
   const auto time_of = [](const std::string& text, std::size_t n_discs) {
-    const double begin = thread_seconds();
+    const double begin = system::thread_seconds();
     EXPECT_EQ(parse_discs(text, "discs.csv").discs.size(), n_discs);
-    return thread_seconds() - begin;
+    return system::thread_seconds() - begin;
   };
   const double alike = time_of(head + rows, 150000);
   EXPECT_LT(time_of(head + odd + rows, 150002), 5.0 * alike);  // a thousand times that, disc by disc

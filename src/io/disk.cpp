@@ -1,29 +1,17 @@
 #include "io/disk.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 
 #include "base/check.hpp"
 #include "base/option.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
 
 namespace phy::io {
 
 namespace fs = std::filesystem;
-
-int write_all(int fd, const std::string& text) {
-  // A write may be partial, or interrupted by a signal: both go on where they stopped.
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t n = ::write(fd, text.data() + done, text.size() - done);
-    if (n < 0 && errno != EINTR) return errno;
-    if (n > 0) done += static_cast<std::size_t>(n);
-  }
-  return 0;
-}
 
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
   const bool reading = doing == "be read";
@@ -32,8 +20,7 @@ int write_all(int fd, const std::string& text) {
   if (error == ENOENT) remedy = "; check the name";
   if (error == EFBIG && !reading) remedy = "; it is beyond the limit of a file's size (ulimit -f)";
   if (error == EISDIR) remedy = "; name a file, not a folder";
-  if (error == ENOSPC || error == EDQUOT)
-    remedy = "; free some space, or choose another folder with " + option("out");
+  if (system::is_full(error)) remedy = "; free some space, or choose another folder with " + option("out");
   if (error == EACCES || error == EROFS || error == EPERM)
     remedy = std::string("; check the permissions") +
              (reading ? "" : ", or choose a folder of your own with " + option("out"));
@@ -44,42 +31,34 @@ int write_all(int fd, const std::string& text) {
 }
 
 int write_and_close(int fd, const std::string& content) {
-  int error = write_all(fd, content);
-  // Synced before it is renamed: else a power cut could leave the new name with no content. EINVAL: the file
-  // system has no sync.
-  if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
+  int error = system::write_all(fd, content);
+  // Synced before it is renamed: else a power cut could leave the new name with no content.
+  if (error == 0) error = system::sync(fd);
   // Some network file systems report a full disk only on closing.
-  if (::close(fd) != 0 && error == 0) error = errno;
+  if (system::close(fd) != 0 && error == 0) error = errno;
   return error;
 }
 
 int open_new(const std::string& real) {
-  ::unlink(real.c_str());
-  return ::open(real.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  system::remove_file(real);
+  return system::open_new(real);
 }
 
 void write_synced(const std::string& real, const std::string& path, const std::string& content) {
   const int fd = open_new(real);
   if (fd < 0) fail(path, "be written", errno);
-  ::flock(fd, LOCK_EX | LOCK_NB);  // until it is closed: not left over
+  system::lock(fd);  // until it is closed: not left over
   const int error = write_and_close(fd, content);
   if (error == 0) return;
   // No half file stays, not even under its temporary name.
-  ::unlink(real.c_str());
+  system::remove_file(real);
   fail(path, "be written", error);
-}
-
-void sync_folder(const std::string& path) {
-  const int fd = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) return;
-  ::fsync(fd);
-  ::close(fd);
 }
 
 std::string parent_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 std::string beside(const std::string& path, const char* what) {
-  return path + temporary_mark + what + "-" + std::to_string(::gettid());
+  return path + temporary_mark + what + "-" + std::to_string(system::thread_number());
 }
 
 }  // namespace phy::io

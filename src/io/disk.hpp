@@ -10,9 +10,6 @@ constexpr const char* temporary_mark = ".phyllite-";
 /// Throws IoError with the text of the system and what to do; `doing`: "be written".
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error);
 
-/// Writes all of a text to an open descriptor; the errno of what failed, or 0.
-int write_all(int fd, const std::string& text);
-
 /// Writes, syncs and closes; the errno of what failed, or 0.
 int write_and_close(int fd, const std::string& content);
 
@@ -21,9 +18,6 @@ int open_new(const std::string& real);
 
 /// `path` is what the user knows the file by, `real` where it is written.
 void write_synced(const std::string& real, const std::string& path, const std::string& content);
-
-/// Makes names in a folder durable. File systems that cannot sync folders are left to their own guarantees.
-void sync_folder(const std::string& path);
 
 std::string parent_of(const std::string& path);
 

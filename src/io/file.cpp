@@ -1,25 +1,19 @@
 #include "io/file.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <set>
 #include <thread>
-#include <tuple>
 #include <utility>
 
 #include "base/check.hpp"
 #include "io/disk.hpp"
 #include "io/reads.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
 
 namespace phy::io {
 
@@ -28,15 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::chrono::seconds patience_for_reader{5};  // of a pipe
 
-/// Opened without waiting, and then as usual: who reads may be slower than who writes.
 int open_stream(const std::string& path) {
   const auto start = std::chrono::steady_clock::now();
   for (;;) {
-    const int fd = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (fd >= 0) {
-      ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
-      return fd;
-    }
+    const int fd = system::open_stream(path);
+    if (fd >= 0) return fd;
     if (errno != ENXIO || std::chrono::steady_clock::now() - start > patience_for_reader) return -1;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -61,26 +51,19 @@ std::string thread_in(const std::string& path) {
 /// True where nobody is at it any more. What cannot be locked is left alone.
 bool is_left_over(const std::string& path) {
   const std::string thread = thread_in(path);
-  std::error_code none;
-  if (thread.empty() || fs::exists("/proc/" + thread, none)) return false;
-  const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
-  if (fd < 0) return false;
-  const bool free = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
-  ::close(fd);
-  return free;
+  return !thread.empty() && !system::thread_lives(thread) && system::lock_is_free(path);
 }
 
-/// Files that have been read, by device, inode and time. The time, because the inode number of a deleted file
-/// is used again.
+/// Files that have been read.
 class FilesRead {
  public:
-  void add(const struct stat& s) {
+  void add(const system::About& s) {
     const std::lock_guard lock(mutex_);
-    files_.insert(key(s));
+    files_.insert(s.identity);
   }
-  bool has(const struct stat& s) {
+  bool has(const system::About& s) {
     const std::lock_guard lock(mutex_);
-    return files_.contains(key(s));
+    return files_.contains(s.identity);
   }
   void clear() {
     const std::lock_guard lock(mutex_);
@@ -88,15 +71,16 @@ class FilesRead {
   }
 
  private:
-  using Key = std::tuple<dev_t, ino_t, time_t, long>;
-  static Key key(const struct stat& s) { return {s.st_dev, s.st_ino, s.st_mtim.tv_sec, s.st_mtim.tv_nsec}; }
   std::mutex mutex_;
-  std::set<Key> files_;
+  std::set<decltype(system::About::identity)> files_;
 } files_read;
 
-[[noreturn]] void refuse_kind(const std::string& path, mode_t mode) {
-  if (S_ISDIR(mode)) fail(path, "be read", EISDIR);
-  const char* kind = S_ISFIFO(mode) ? "a named pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
+[[noreturn]] void refuse_kind(const std::string& path, system::Kind kind_there) {
+  using system::Kind;
+  if (kind_there == Kind::folder) fail(path, "be read", EISDIR);
+  const char* kind = kind_there == Kind::pipe     ? "a named pipe"
+                     : kind_there == Kind::socket ? "a socket"
+                                                  : "a device";
   throw IoError(path + ": cannot be read: it is " + kind + ", not a file; name a file");
 }
 
@@ -114,26 +98,27 @@ InputFile::InputFile(std::string path) : path_(std::move(path)) {
   // Looked at before it is opened, which alone has effects on some devices; and after, as it may have
   // changed.
   refuse_unless_file(path_);
-  fd_ = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  fd_ = system::open_to_read(path_);
   if (fd_ < 0) fail(path_, "be read", errno);
-  struct stat about {};
-  const int error = ::fstat(fd_, &about) != 0 ? errno : 0;
-  size_ = static_cast<std::size_t>(about.st_size);
-  if (error == 0 && S_ISREG(about.st_mode)) return;
-  ::close(fd_);
-  error != 0 ? fail(path_, "be read", error) : refuse_kind(path_, about.st_mode);
+  const auto about = system::about(fd_);
+  const int error = about ? 0 : errno;
+  if (about && about->kind == system::Kind::file) {
+    size_ = about->size;
+    return;
+  }
+  system::close(fd_);
+  error != 0 ? fail(path_, "be read", error) : refuse_kind(path_, about->kind);
 }
 
 InputFile::~InputFile() {
-  if (fd_ >= 0) ::close(fd_);
+  if (fd_ >= 0) system::close(fd_);
 }
 
 std::string InputFile::read(std::size_t from, std::size_t n) const {
   std::string content(std::min(n, from < size_ ? size_ - from : 0), '\0');
   std::size_t done = 0;
   while (done < content.size()) {
-    const ssize_t some =
-        ::pread(fd_, content.data() + done, content.size() - done, static_cast<off_t>(from + done));
+    const auto some = system::read_at(fd_, content.data() + done, content.size() - done, from + done);
     if (some == 0) break;  // it has become shorter
     if (some > 0) done += static_cast<std::size_t>(some);
     if (some < 0 && errno != EINTR) fail(path_, "be read", errno);
@@ -143,14 +128,14 @@ std::string InputFile::read(std::size_t from, std::size_t n) const {
 }
 
 void refuse_unless_file(const std::string& path) {
-  struct stat about {};
-  if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) refuse_kind(path, about.st_mode);
+  if (const auto about = system::about(path); about && about->kind != system::Kind::file)
+    refuse_kind(path, about->kind);
 }
 
 std::string read_file(const std::string& path, std::size_t largest) {
   std::string content = content_of(path, largest);
   // Noted by identity and not by name: outputs must not replace an input through a link (io/output.hpp).
-  if (struct stat about{}; ::stat(path.c_str(), &about) == 0) files_read.add(about);
+  if (const auto about = system::about(path)) files_read.add(*about);
   return content;
 }
 
@@ -165,8 +150,8 @@ std::optional<std::string> read_if_file(const std::string& path, std::size_t lar
 void forget_reads() { files_read.clear(); }
 
 bool was_read(const std::string& path) {
-  struct stat about {};
-  return ::stat(path.c_str(), &about) == 0 && files_read.has(about);
+  const auto about = system::about(path);
+  return about && files_read.has(*about);
 }
 
 std::vector<std::string> list_folder(const std::string& path) {
@@ -199,10 +184,11 @@ void make_folder(const std::string& path) {
 }
 
 bool is_stream(const std::string& path) {
-  struct stat s {};
+  using system::Kind;
+  const auto about = system::about(path);
   // Everything that exists and is neither file nor folder: devices, pipes, sockets.
   return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
-         (::stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode));
+         (about && about->kind != Kind::file && about->kind != Kind::folder);
 }
 
 void write_stream(const std::string& path, const std::string& content) {
@@ -217,9 +203,9 @@ void write_passing(const std::string& path, const std::string& content) {
   const std::string part = beside(path, "part");
   const int fd = open_new(part);
   if (fd < 0) return;
-  const bool whole = write_all(fd, content) == 0;
-  ::close(fd);
-  if (!whole || std::rename(part.c_str(), path.c_str()) != 0) ::unlink(part.c_str());
+  const bool whole = system::write_all(fd, content) == 0;
+  system::close(fd);
+  if (!whole || system::replace(part, path) != 0) system::remove_file(part);
 }
 
 void write_file(const std::string& path, const std::string& content) {
@@ -227,12 +213,11 @@ void write_file(const std::string& path, const std::string& content) {
   // Beside its place: only within one file system is a rename atomic.
   const std::string part = beside(path, "part");
   write_synced(part, path, content);
-  if (std::rename(part.c_str(), path.c_str()) != 0) {
-    const int error = errno;
-    ::unlink(part.c_str());
+  if (const int error = system::replace(part, path); error != 0) {
+    system::remove_file(part);
     fail(path, "be replaced", error);
   }
-  sync_folder(parent_of(path));
+  system::sync_folder(parent_of(path));
 }
 
 void check_writable(const std::string& folder) {
@@ -241,7 +226,7 @@ void check_writable(const std::string& folder) {
   remove_leftovers(folder);
   const std::string probe = beside((fs::path(folder) / "").string(), "test");
   write_synced(probe, "folder " + folder, "phyllite\n");
-  ::unlink(probe.c_str());
+  system::remove_file(probe);
 }
 
 }  // namespace phy::io

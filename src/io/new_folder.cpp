@@ -1,11 +1,6 @@
 #include "io/new_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -14,6 +9,7 @@
 #include "io/disk.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
+#include "system/files.hpp"
 
 namespace phy::io {
 
@@ -62,12 +58,11 @@ NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
   std::error_code ignored;
   fs::remove_all(part_, ignored);
   make_folder(part_);
-  lock_ = ::open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ >= 0) ::flock(lock_, LOCK_EX | LOCK_NB);
+  lock_ = system::lock_folder(part_);
 }
 
 NewFolder::~NewFolder() {
-  if (lock_ >= 0) ::close(lock_);
+  if (lock_ >= 0) system::close(lock_);
   std::error_code ignored;
   fs::remove_all(part_, ignored);
 }
@@ -83,12 +78,12 @@ void NewFolder::add(const std::string& name, const std::string& content) {
 
 void NewFolder::publish() {
   write_synced((fs::path(part_) / written_list).string(), (fs::path(folder_) / written_list).string(), list_);
-  for (const std::string& name : folders_) sync_folder(name);
+  for (const std::string& name : folders_) system::sync_folder(name);
   // Again: something may have been put there while the files were made.
   check_place(folder_, mark_, kind_);
   // An exchange leaves no moment without a result; the older one then has the temporary name and is removed.
-  if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, folder_.c_str(), RENAME_EXCHANGE) != 0) {
-    const bool older = errno != ENOENT;  // some file systems cannot exchange: step aside, then move in
+  if (const int why = system::exchange(part_, folder_); why != 0) {
+    const bool older = why != ENOENT;  // some file systems cannot exchange: step aside, then move in
     const std::string old = beside(folder_, "old");
     std::error_code error;
     if (older) fs::rename(folder_, old, error);
@@ -101,7 +96,7 @@ void NewFolder::publish() {
     }
     fs::remove_all(old, error);
   }
-  sync_folder(parent_of(folder_));
+  system::sync_folder(parent_of(folder_));
 }
 
 }  // namespace phy::io

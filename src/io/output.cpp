@@ -1,8 +1,5 @@
 #include "io/output.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -13,6 +10,7 @@
 #include "base/quote.hpp"
 #include "io/disk.hpp"
 #include "io/file.hpp"
+#include "system/files.hpp"
 
 namespace phy::io {
 namespace {
@@ -50,11 +48,10 @@ void add_to_list(const std::string& file, std::string_view content) {
     return;
   // Appended in one write, so that several processes can share a list. A link is not followed: the list could
   // be made to point elsewhere. Nor is a pipe waited for.
-  const int fd =
-      ::open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
+  const int fd = system::open_to_append(list);
   if (fd < 0) return;
-  write_all(fd, line);
-  ::close(fd);
+  system::write_all(fd, line);
+  system::close(fd);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -10,6 +9,7 @@
 #include "base/nan.hpp"
 #include "base/option.hpp"
 #include "io/file.hpp"
+#include "system/files.hpp"
 
 namespace phy::io {
 namespace {
@@ -32,9 +32,7 @@ std::string remedy_for(int code) {
 }
 
 bool is_writable(const std::string& file) {
-  const std::string folder = fs::path(file).parent_path().string();
-  return ::access(file.c_str(), W_OK) == 0 &&
-         ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0;
+  return system::may_write(file) && system::may_write_in(fs::path(file).parent_path().string());
 }
 
 /// The name by which SQLite opens a file for reading. In a folder that cannot be written it has no place for

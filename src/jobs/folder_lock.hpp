@@ -1,8 +1,6 @@
 // One process at a time works in a folder. The lock ends with its process, however that ends; who looks at a
 // folder learns which process it is. On file systems without locks nobody is kept out.
 #pragma once
-#include <sys/types.h>
-
 #include <string>
 #include <utility>
 
@@ -18,11 +16,11 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
 
  private:
-  int descriptor_;
+  int descriptor_ = -1;
 };
 
 /// The process that works in a folder; 0: none; below 0: one of another machine.
-pid_t working_in(const std::string& folder);
+int working_in(const std::string& folder);
 
 /// How long ago the last process began to work in a folder [s]; 0: none ever has.
 double seconds_since_lock(const std::string& folder);

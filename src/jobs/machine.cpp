@@ -1,22 +1,9 @@
 #include "jobs/machine.hpp"
 
-#include <sched.h>
-
-#include <algorithm>
+#include "system/process.hpp"
 
 namespace phy::jobs {
-namespace {
-
-int available_cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-  return std::max(1, CPU_COUNT(&set));
-}
-
-}  // namespace
-
-int n_threads(int asked) { return asked > 0 ? asked : available_cores(); }
+int n_threads(int asked) { return asked > 0 ? asked : system::n_processors(); }
 
 study::MachineOptions machine_of(int asked_threads) {
   study::MachineOptions machine;

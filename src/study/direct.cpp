@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/clock.hpp"
 #include "base/hash.hpp"
+#include "system/process.hpp"
 
 namespace phy::study {
 namespace {
@@ -66,7 +66,7 @@ Recipe elastic_recipe(Recipe single) {
 }
 
 TestResult solve_directly(const Specimen& specimen, statics::UniaxialStatics& statics) {
-  const double start = thread_seconds();
+  const double start = system::thread_seconds();
   TestResult result;
   result.name = specimen.name;
   result.intact = !layered(specimen);
@@ -87,7 +87,7 @@ TestResult solve_directly(const Specimen& specimen, statics::UniaxialStatics& st
   if (result.outcome.reason.empty()) result.outcome.reason = "direct elastic solution";
   add_structure(result, specimen);
   result.n_grains = static_cast<std::int64_t>(specimen.packing->discs.size());
-  result.seconds = thread_seconds() - start;
+  result.seconds = system::thread_seconds() - start;
   result.hash = hash_of_numbers(result);
   return result;
 }

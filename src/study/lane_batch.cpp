@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/clock.hpp"
 #include "lab/tests.hpp"
+#include "system/process.hpp"
 
 namespace phy::study {
 
@@ -78,9 +79,9 @@ void LaneBatch::work(const LaneHooks& hooks) {
     if (slots_[lane].test)
       use.contact_steps += cycles * static_cast<double>(group_->n_contacts(static_cast<int>(lane)));
   // Time on the processor, not on the clock: other workers and programs do not count.
-  const double before = thread_seconds();
+  const double before = system::thread_seconds();
   group_->advance();
-  use.seconds = thread_seconds() - before;
+  use.seconds = system::thread_seconds() - before;
   hooks.block(use, packing_->discs.size());
   for (std::size_t lane = 0; lane < slots_.size(); ++lane) {
     LaneSlot& slot = slots_[lane];

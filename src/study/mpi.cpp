@@ -2,16 +2,18 @@
 
 #ifdef PHY_MPI
 #include <mpi.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "base/hash.hpp"
 #include "base/nan.hpp"
 #include "base/parallel.hpp"
 #include "io/csv.hpp"
+#include "system/process.hpp"
 #endif
 
 #include "base/check.hpp"
@@ -38,7 +40,8 @@ namespace {
 
 using nlohmann::json;
 constexpr int request_tag = 1, answer_tag = 2;
-constexpr useconds_t pause = 500;  // [us] between looks for a message; MPI's own waiting would take a core
+constexpr std::chrono::microseconds pause{
+    500};  // between looks for a message; MPI's own waiting would take a core
 
 void send(const json& message, int to, int tag) {
   const std::string text = message.dump();
@@ -110,7 +113,7 @@ class RemoteQueue : public TaskQueue {
     return a.is_null() ? std::nullopt : std::optional<std::size_t>(a.get<std::size_t>());
   }
   void deliver(std::size_t test, TestResult result) override {
-    ask({{"ask", "deliver"}, {"test", test}, {"host", host_name()}, {"result", packed(result)}});
+    ask({{"ask", "deliver"}, {"test", test}, {"host", system::host_name()}, {"result", packed(result)}});
   }
   void count(double work) override { stopped_ = ask({{"ask", "count"}, {"work", work}}).get<bool>(); }
   bool stopped() override { return stop_ || stopped_; }  // of rank 0: as of the last block
@@ -137,7 +140,7 @@ class RemoteQueue : public TaskQueue {
     // The answer is awaited by looking now and then: MPI_Recv would keep a core busy.
     send(request, 0, request_tag);
     MPI_Status status;
-    while (!look(0, answer_tag, status)) ::usleep(pause);
+    while (!look(0, answer_tag, status)) std::this_thread::sleep_for(pause);
     return receive(status);
   }
 };
@@ -155,7 +158,7 @@ class Server {
     while (n_left_ > 0) {
       MPI_Status status;
       if (!look(MPI_ANY_SOURCE, request_tag, status)) {
-        ::usleep(pause);
+        std::this_thread::sleep_for(pause);
         continue;
       }
       const json request = receive(status);

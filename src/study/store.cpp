@@ -1,17 +1,15 @@
 #include "study/store.hpp"
 
 #include <fmt/format.h>
-#include <sys/vfs.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
+#include <thread>
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
@@ -21,6 +19,8 @@
 #include "base/version.hpp"
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
+#include "system/files.hpp"
+#include "system/process.hpp"
 
 namespace phy::study {
 std::string checksum_of(const StoredResult& r) {
@@ -44,9 +44,7 @@ std::string checksum_of(const StoredResult& r) {
 
 namespace {
 
-// From linux/magic.h and the file systems' own headers; there is no portable test for "network".
 constexpr int patience_ms = 60000;
-constexpr long nfs_magic = 0x6969, smb_magic = 0xFE534D42L, lustre_magic = 0x0BD00BD0L;
 
 // Keyed by fingerprint. Numbers are rows of their own, so that any can be selected by SQL; `place` keeps
 // their order.
@@ -75,67 +73,33 @@ double now() {
 }
 
 std::string utc_now() {
-  const std::time_t t = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&t, &parts);
+  const std::tm parts = system::utc(std::time(nullptr));
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;
 }
 
-std::string first_line(const std::string& path) {
-  std::ifstream in(path);
-  std::string line;
-  std::getline(in, line);
-  return line;
-}
-
-/// Machine, boot and process namespace. Within one such world process numbers can be compared; of one machine
-/// only the present boot lives.
-struct World {
-  std::string machine, boot, processes;
-};
-
-World this_world() {
-  std::error_code error;
-  return {first_line("/etc/machine-id") + " " + host_name(), first_line("/proc/sys/kernel/random/boot_id"),
-          std::filesystem::read_symlink("/proc/self/ns/pid", error).string()};
-}
-
-/// When a process was started, in ticks since the boot; empty if there is no such process. Together with its
-/// number it names a process for good.
-std::string start_of(const std::string& pid) {
-  const std::string stat = first_line("/proc/" + pid + "/stat");
-  // The name of the program may hold blanks and brackets: fields are counted from the last bracket.
-  const std::size_t name_end = stat.rfind(')');
-  if (name_end == stat.npos) return "";
-  std::istringstream fields(stat.substr(name_end + 1));
-  std::string field;
-  for (int i = 3; i <= 22; ++i) fields >> field;  // proc(5): field 22 is starttime
-  return field;
-}
-
 /// "machine|boot|processes|pid|start|number of the object".
 std::string new_owner() {
   static std::atomic<int> n_objects{0};
-  const World here = this_world();
-  const int pid = ::getpid();
+  const system::World here = system::this_world();
+  const int pid = system::process_number();
   return fmt::format("{}|{}|{}|{}|{}|{}", here.machine, here.boot, here.processes, pid,
-                     start_of(std::to_string(pid)), ++n_objects);
+                     system::start_of(std::to_string(pid)), ++n_objects);
 }
 
 /// True if the owner is known to be dead; false if it lives or cannot be seen from here.
 bool is_dead(const std::string& owner) {
   std::istringstream parts(owner);
-  World its;
+  system::World its;
   std::string pid, start;
   for (std::string* part : {&its.machine, &its.boot, &its.processes, &pid, &start})
     std::getline(parts, *part, '|');
-  const World here = this_world();
+  const system::World here = system::this_world();
   // Of another machine or container nothing is known: such a claim ends with its lease only. A number that
   // has been given to a new process shows by its start.
   if (its.machine != here.machine) return false;
-  return its.boot != here.boot || (its.processes == here.processes && start_of(pid) != start);
+  return its.boot != here.boot || (its.processes == here.processes && system::start_of(pid) != start);
 }
 
 /// A history or a list of cracks.
@@ -149,12 +113,8 @@ std::string unpacked(const std::string& blob, const std::string& path) {
 
 /// SQLite relies on locks of the file system, which network file systems implement loosely or not at all.
 void refuse_network(const std::string& path) {
-  struct statfs fs {};
-  const std::string folder = std::filesystem::path(path).parent_path().string();
   // If the file system cannot be asked, the attempt to open the database decides.
-  if (::statfs(folder.empty() ? "." : folder.c_str(), &fs) != 0) return;
-  const auto type = static_cast<long>(fs.f_type);
-  if (type == nfs_magic || type == smb_magic || type == lustre_magic)
+  if (system::on_network(std::filesystem::path(path).parent_path().string()))
     throw IoError(path +
                   ": lies on a network file system, where locks cannot be trusted; put it on a local "
                   "disk, run shards (--shard i/n) and join them with `phyllite study merge`");
@@ -219,7 +179,7 @@ bool write_specimen(io::Database& database, const std::string& key, const std::s
   s.bind(key).bind(recipe).bind(t.name).bind(std::int64_t{t.intact}).bind(t.theta);
   s.bind(to_string(t.outcome.status)).bind(t.outcome.reason).bind(t.outcome.advice).bind(t.hash);
   s.bind(t.dt).bind(t.n_steps).bind(t.n_contacts).bind(static_cast<std::int64_t>(t.cracks.size()));
-  s.bind(t.seconds).bind(host.empty() ? host_name() : host).bind(phy::program).bind(utc_now());
+  s.bind(t.seconds).bind(host.empty() ? system::host_name() : host).bind(phy::program).bind(utc_now());
   s.bind_blob(io::deflated(io::history_csv(t.history)))
       .bind_blob(io::deflated(io::cracks_csv(t.cracks, t.history.kind)));
   s.run();
@@ -237,11 +197,6 @@ bool write_specimen(io::Database& database, const std::string& key, const std::s
 }
 
 }  // namespace
-
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
 
 std::string hash_of(const std::vector<std::optional<StoredResult>>& rows) {
   // Sorted by key, so that neither the order of a design nor of arrival changes the fingerprint.
@@ -318,7 +273,7 @@ void Store::make_tables(Sharing sharing) {
       break;
     } catch (const IoError& e) {
       if (i == 100 || std::string(e.what()).find("locked") == std::string::npos) throw;
-      ::usleep(50000);
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   }
 }

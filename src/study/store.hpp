@@ -53,9 +53,6 @@ struct MergeReport {
   std::vector<std::string> different;  ///< keys whose results differ between the two stores; ours is kept
 };
 
-/// Of this machine, as the store notes it with every result.
-std::string host_name();
-
 /// Fingerprint over keys, outcomes, numbers and result hashes of the rows that are there; not over hosts,
 /// times or the order of the rows.
 std::string hash_of(const std::vector<std::optional<StoredResult>>& rows);

@@ -15,6 +15,7 @@
 #include "study/direct.hpp"
 #include "study/experiment.hpp"
 #include "study/lane_batch.hpp"
+#include "system/process.hpp"
 
 namespace phy::study {
 namespace {
@@ -186,7 +187,7 @@ WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& mac
         Worker worker(queue, plan, machine, exchange, broken);
         worker.run();
         const std::lock_guard lock(mutex);
-        report.cpu_seconds += thread_seconds();
+        report.cpu_seconds += system::thread_seconds();
         report.lanes.add(worker.use());
       },
       [&] { exchange.leave(); });
