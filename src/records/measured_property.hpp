@@ -73,8 +73,8 @@ struct MeasuredProperty {
   ShownUnit shown = {1e-6, "MPa", 1};
   PossibleValues possible = {1e3, 5e9, "1 kPa <= strength <= 5 GPa"};
   bool absolute = false;  ///< misses and scatter count as they are, else relative to the value
-  /// How it is judged: misses that pass whatever the scatter, the least error that matters, and the scatter of
-  /// single specimens before a table is seen.
+  /// How it is judged: misses that pass whatever the scatter, the least error that matters, and the scatter
+  /// of single specimens before a table is seen.
   Part part;
   double tolerance, coarsest, usual_scatter;
   /// The laboratory test that answers it, and by which number; nullptr: the direct solution.

@@ -20,8 +20,8 @@ constexpr const char* finished = R"({
   "errors": {"UCS": [0.09, 0.05, 0.06], "nu": [0.01, 0.03, 0.02]},
   "left_out": {"UCS": {"ratio": [0.5, 0.7]}, "BTS": {"ratio": []}},
   "predictions": [
-    {"text": "BTS, from UCS", "yardstick": "a tenth of UCS", "rms": [0.12], "mean": [-0.05], "inside": 6, "of": 7,
-     "yardstick_rms": 0.4},
+    {"text": "BTS, from UCS", "yardstick": "a tenth of UCS", "rms": [0.12], "mean": [-0.05],
+     "inside": 6, "of": 7, "yardstick_rms": 0.4},
     {"text": "sigma_1, from UCS", "yardstick": "N"}]})";
 
 constexpr const char* begun = R"({
