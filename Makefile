@@ -1,4 +1,4 @@
-# make deps      install what is missing (Debian packages)   make demo     calibrate the twin rock, print the tables
+# make deps      install what is missing (Debian packages)   make demo     calibrate Boryeong shale on large grains
 # make deps-all  also what no test is left out without       make test     build and run all tests
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
@@ -47,6 +47,9 @@ program:
 	@$(call made,release) --target phyllite
 
 demo: deps program
+	$(BUILD)/phyllite calibrate examples/demo/boryeong.toml --effort quick --out results/demo --resume
+
+demo-twin: deps program
 	$(BUILD)/phyllite calibrate examples/twin/twin.toml --out results/twin --resume
 
 demo-press: deps program

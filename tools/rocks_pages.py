@@ -182,14 +182,15 @@ def paper_page(card, picture):
             ["left out, over the best curve", times(y["ratio"])]]
     text += "## In numbers\n" + table(["what", "value (range over first packings)"], rows)
     text += "\nThe paper's sequence begins with E. The table has none, so that `--method sequence` cannot be compared here.\n"
-    text += "\n## Where it misses, and why\n" + f"The largest error is at {worst['theta [deg]']:g} degrees: {100 * worst['error']:+.1f} %.\n"
+    text += "\n## Where it misses, and why\n" + f"The largest error is at {worst['theta [deg]']:g} degrees: {100 * worst['error']:+.1f} %. "
+    text += "Five other stiffnesses of the joints left it as it is or made it larger ([decision](decisions/0023-stiffness-without-moduli.md)).\n"
     text += "".join(f"{c}\n" for c in card["verdict"]["causes"]) + "\n" + "".join(f"- {c}\n" for c in card["cautions"])
     return text.rstrip() + "\n"
 
 
-def draw(program, root, results):
+def draw(program, root, results, card):
     """The figure of the first calibration; the page goes without where gnuplot or the folder is missing."""
-    folder, picture = results / "boryeong-shale/1/calibration", root / "docs/pictures/boryeong.png"
+    folder, picture = results / f"boryeong-shale/{card.get('seeds', [1])[0]}/calibration", root / "docs/pictures/boryeong.png"
     if (folder / "calibration.json").exists():
         picture.unlink(missing_ok=True)
         subprocess.run([program, "figure", folder, "--kind", "anisotropy", "--format", "png", "--out", picture], check=False, cwd=measured.ROOT)
@@ -238,6 +239,6 @@ def write(root: pathlib.Path, plan, program, results):
     (root / "docs/rocks.md").write_text(rocks_page(cards), encoding="utf-8")
     paper = next((n for n, r in plan["rock"].items() if r.get("paper")), None)
     if paper in cards:
-        (root / plan["rock"][paper]["paper"]).write_text(paper_page(cards[paper], draw(program, root, results)), encoding="utf-8")
+        (root / plan["rock"][paper]["paper"]).write_text(paper_page(cards[paper], draw(program, root, results, cards[paper])), encoding="utf-8")
     if root == measured.ROOT:
         measured.add("rocks", rows_of(cards), "make rocks")
