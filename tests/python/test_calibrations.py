@@ -90,7 +90,7 @@ class Calibrations(InFolder):
                 phyllite.calibrate(wrong)
         with self.assertRaisesRegex(phyllite.InputError, 'method = "guess": expected one of "posterior" "sequence"'):
             phyllite.calibrate(rock, method="guess")
-        with self.assertRaisesRegex(phyllite.InputError, 'one of "quick" "normal" "thorough"'):
+        with self.assertRaisesRegex(phyllite.InputError, 'one of "auto" "quick" "normal" "thorough"'):
             phyllite.calibrate(rock, effort="hasty")
         with self.assertRaisesRegex(phyllite.InputError, 'none beside method="sequence"'):
             phyllite.calibrate(rock, method="sequence", effort="quick")
