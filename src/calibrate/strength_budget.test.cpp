@@ -23,7 +23,7 @@ TEST(StrengthStage, SeveralThreadsFindTheSame) {
   const auto found = [](int threads) {
     PaperPress press;
     press.n_threads = threads;
-    return fit(laboratory(truth(1), 1), press, {70, efforts[0]});
+    return fit(laboratory(truth(1), 1), press, {70, quick_effort});
   };
   const StrengthFit one = found(1), three = found(3);
   ASSERT_EQ(one.parameters.size(), three.parameters.size());
@@ -87,9 +87,9 @@ TEST(StrengthStage, EffortIsTheNumberOfPoints) {
     return searched(rock, some_of(laboratory(truth(1), 1)), press, budget);
   };
   constexpr std::int64_t n_angles = 5;
-  const Searched quick = found({1000, efforts[0]}), thorough = found({72 * n_angles, efforts[2]}),
-                 cut = found({20 * n_angles, efforts[2]}), part = found({50 * n_angles, efforts[2]}),
-                 both = found({20 * n_angles, efforts[0]});
+  const Searched quick = found({1000, quick_effort}), thorough = found({72 * n_angles, efforts.back()}),
+                 cut = found({20 * n_angles, efforts.back()}), part = found({50 * n_angles, efforts.back()}),
+                 both = found({20 * n_angles, quick_effort});
   EXPECT_EQ(quick.counts.tests, 18 * n_angles);
   EXPECT_TRUE(quick.shortage.of_effort && !quick.shortage.of_tests);
   EXPECT_EQ(thorough.counts.tests, 72 * n_angles);
@@ -138,7 +138,7 @@ TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes)
     PaperPress press;
     press.packing_scatter = scatter;
     CalibrationOptions options;
-    options.max_tests = max_tests, options.effort = efforts[0];  // 18 points, no further rounds
+    options.max_tests = max_tests, options.effort = quick_effort;  // 18 points, no further rounds
     const Calibration c = calibrate(Evidence(rock), options, press);
     for (const Comparison& row : c.verification) EXPECT_EQ(row.n_packings, c.verification.front().n_packings);
     const bool noted = first_of(c.notes, FindingKind::packings_added) != nullptr;

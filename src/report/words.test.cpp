@@ -236,6 +236,8 @@ Finding specimen_of(Kind kind) {
                            "tests",
                            "of_effort",
                            "of_tests",
+                           "foreseen",
+                           "more",
                            "strengths",
                            "limit",
                            "gain",
