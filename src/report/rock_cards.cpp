@@ -64,7 +64,7 @@ std::string prediction_text(const Json& p) {
   const std::string what = p.at("text");
   if (!p.contains("rms")) return fmt::format("Predicted: {}: not run yet.\n", what);
   return fmt::format(
-      "Predicted, written down before: {}: rms error {}, mean {:+.1f} %; {} of {} in the band. {}: {:.1f} "
+      "Planned before it was run, {}: rms error {}, mean {:+.1f} %; {} of {} in the band. {}: {:.1f} "
       "%.\n",
       what, error_text("", p.at("rms").get<std::vector<double>>()),
       100.0 * median(p.at("mean").get<std::vector<double>>()), p.at("inside").get<int>(),
