@@ -111,7 +111,7 @@ std::string value_open(F f) {
 std::string values_judged(F f) {
   const double met = f.number("met"), values = f.number("values");
   std::string text = fmt::format("{} of {} {} met", met == 0.0 ? "none" : fmt::format("{:.0f}", met),
-                                 counted_text(values, "value"), met == 0.0 || values == 1.0 ? "is" : "are");
+                                 counted_text(values, "value"), met <= 1.0 ? "is" : "are");
   const auto add = [&](const char* name, const char* word) {
     if (f.number(name) > 0.0)
       text += fmt::format(", {:.0f} {} {}", f.number(name), f.number(name) == 1.0 ? "is" : "are", word);
