@@ -150,7 +150,7 @@ def rocks_page(cards):
     text = ROCKS_HEAD + table(["rock", "measured", "verdict", "error", "left out, over the best curve"], [list_row(c) for c in cards.values()])
     predictions = [p for c in cards.values() for p in c.get("predictions", [])]
     if predictions:
-        text += ("\n## Predicted first\nSeeds, model and yardstick of each prediction stand in `data/rocks/plan.toml` since before its run. The band is "
+        text += ("\n## Predicted first\nSeeds, model and yardstick of each prediction stand in `data/rocks/plan.toml` since before its run. Not blind: earlier versions of the program were tried on the same tables with other packings. The band is "
                  "the smallest to the largest of twenty draws.\n\n" + table(PREDICTION_HEAD, [prediction_row(p) for p in predictions]))
     return (text + "\n" + "".join(section(c) for c in cards.values())).rstrip() + "\n"
 
