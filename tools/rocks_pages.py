@@ -94,23 +94,21 @@ def list_row(card):
     return [f"[{card['title']}](#{slug(card['title'])})", measured_words(card), card["verdict"]["status"], shown or "-", left_out or "-"]
 
 
-def joined(items):
-    items = [i.rstrip(".") for i in items]
-    return "; ".join(items)
+def listed(head, items):
+    """A head and its items, a line each."""
+    return f"{head}\n" + "".join(f"- {i.rstrip('.')}\n" for i in items) if items else ""
 
 
 def use_of(card):
-    """The paragraph that a consulting engineer may quote, of the findings of the verdict."""
+    """What a consulting engineer may quote, of the findings of the verdict."""
     verdict = card["verdict"]
     if "errors" not in card:
-        return f"No model: {verdict['lines'][0].rstrip('.')}. The table serves for comparison alone."
-    good, bad = joined(verdict["good_for"]), joined(verdict["not_good_for"])
-    parts = [f"The verdict on the model of {card['title']} is \"{verdict['status']}\"."]
-    parts.append(f"The model may be used for: {good}." if good else
-                 "Too few specimens, or no stated scatter: the table shows no use. The errors say how near the model comes."
-                 if verdict["status"] == "not decided" else "The table supports no use of the model.")
-    if bad:
-        parts.append(f"Not good for, or not shown: {bad}.")
+        return f"No model: {verdict['lines'][0].rstrip('.')}. The table serves for comparison alone.\n"
+    status = f"The verdict on the model is \"{verdict['status']}\"."
+    if not verdict["good_for"]:
+        status += (" Too few specimens, or no stated scatter: the table shows no use. The errors say how near the model comes."
+                   if verdict["status"] == "not decided" else " The table supports no use of the model.")
+    parts = []
     for p, e in card["errors"].items():
         size = f"{sum(e) / len(e):.2f}" if p == "nu" else per_cent(e)
         parts.append(f"On unseen packings {p} is off by {size} (rms).")
@@ -120,7 +118,8 @@ def use_of(card):
     for p in card["predictions"]:
         if "rms" in p:
             parts.append(f"Planned before it was run, {p['text']}: {per_cent(p['rms'])} (rms); {p['yardstick']} has {per_cent([p['yardstick_rms']])}.")
-    return " ".join(parts)
+    return (status + "\n\n" + listed("Good for:", verdict["good_for"]) + "\n" * bool(verdict["good_for"])
+            + listed("Not good for, or not shown:", verdict["not_good_for"]) + "\n" + "\n".join(parts) + "\n")
 
 
 def prediction_row(p):
@@ -133,7 +132,7 @@ PREDICTION_HEAD = ["predicted", "rms error", "mean error", "in the band", "yards
 
 
 def section(card):
-    text = f"## {card['title']}\n**What may I use it for?** {use_of(card)}\n\n"
+    text = f"## {card['title']}\n**What may I use it for?** {use_of(card)}\n"
     if any(card.get("missed", [])):
         text += "Missed values: " + "; ".join(sorted({name_of(c) for c in card["missed"][0]})) + ".\n\n" if card["missed"][0] else ""
     text += "".join(f"- {c}\n" for c in card["cautions"]) + "\n"

@@ -85,6 +85,24 @@ double difference(const Curve& table, const Curve& base) {
   return std::sqrt(sum / n);
 }
 
+struct BaseTable {
+  std::string name, title;
+  std::vector<Target> targets;
+};
+
+/// Read once: a page asks for the nearest with every change of its table.
+const std::vector<BaseTable>& base_tables() {
+  static const std::vector<BaseTable> tables = [] {
+    std::vector<BaseTable> all;
+    for (const std::string& name : base_rocks()) {
+      const Rock rock = base_rock(name);
+      all.push_back({name, rock.name, targets_of(rock)});
+    }
+    return all;
+  }();
+  return tables;
+}
+
 }  // namespace
 
 std::vector<std::string> base_rocks() {
@@ -137,19 +155,17 @@ std::optional<Finding> nearest_rock(const std::vector<Target>& table) {
   Finding found{FindingKind::nearest_rock};
   for (const Property p : compared) {
     const Curve curve = curve_of(table, p);
-    double least = HUGE_VAL;
-    std::string title, name;
     if (curve.size() < fewest_angles) continue;
-    for (const std::string& other : base_rocks()) {
-      const Rock rock = base_rock(other);
-      const Curve base = curve_of(targets_of(rock), p);
-      if (const double d = difference(curve, base); base != curve && d < least)
-        least = d, title = rock.name, name = other;
+    const BaseTable* nearest = nullptr;
+    double least = HUGE_VAL;
+    for (const BaseTable& other : base_tables()) {
+      const Curve base = curve_of(other.targets, p);
+      if (const double d = difference(curve, base); base != curve && d < least) least = d, nearest = &other;
     }
-    if (name.empty()) continue;
+    if (nearest == nullptr) continue;
     found.cells.push_back({p, nan});
     found.numbers.push_back({"difference", least});
-    found.names.insert(found.names.end(), {title, name});
+    found.names.insert(found.names.end(), {nearest->title, nearest->name});
   }
   return found.cells.empty() ? std::nullopt : std::optional(found);
 }

@@ -17,16 +17,7 @@
 
 namespace phy::jobs {
 RockCheck check(const Rock& read) {
-  RockCheck found{Evidence(maps::with_model(read, read.layers, read.matrix)),
-                  Evidence(read),
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {}};
+  RockCheck found{Evidence(maps::with_model(read, read.layers, read.matrix)), Evidence(read)};
   const Evidence& evidence = found.evidence;
   found.doubts = survey::doubts_about(evidence);
   found.statements = survey::closed_forms(evidence);

@@ -106,7 +106,7 @@ TEST(Words, NotesOfTheWay) {
                        {"more", 90.0}}}),
             "The search was short (60 tests in compression): the forecast saw the table out of reach. In a "
             "new folder "
-            "--effort normal may come nearer, with 90 tests more.");
+            "--effort normal may come nearer, with about 90 tests more.");
   EXPECT_EQ(sentence({Kind::packings_added, {}, {{"packings", 10.0}, {"usual", 5.0}}}),
             "Strengths of packings of this size differ so much that 10 unseen ones were taken instead of 5.");
 }

@@ -432,7 +432,7 @@ const std::vector<Wording> search_words = {
     {Kind::search_short,
      [](F f) {
        const std::string more = f.number("more") > 0.0
-                                    ? ", with " + counted_text(f.number("more"), "test") + " more"
+                                    ? ", with about " + counted_text(f.number("more"), "test") + " more"
                                     : std::string();
        return fmt::format(
            "The search was short ({} in compression{}){}. In a new folder {} may come nearer{}.",

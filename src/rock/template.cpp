@@ -30,7 +30,7 @@ elastic_reading = "plane stress"
 # recipe = "model.toml"         # grain size, bedding rule, press, and the size: take out [specimen] then
 #                               # (`phyllite recipe --template`). Without it: the paper's specimen,
 #                               # magnified to the size below
-# layers = "choose"             # or "planes" (smooth joints), "directions" (of the bonds),
+# layers = "choose"             # also "planes" (smooth joints), "directions" (of the bonds),
 #                               # "planes and directions", "planes with bridges" (joints on a share of them)
 # matrix = "choose"             # or "parallel_bond", "flat_joint" (UCS many times the tensile strength)
 # grain_size = "3 mm"           # mean diameter of the model's grains: coarse ones are quick, fine ones

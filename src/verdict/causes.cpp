@@ -129,16 +129,17 @@ std::optional<Finding> gap_in_ucs(const View& v) {
 /// Of a search without all points of a usual one.
 std::optional<Finding> search_short(const Calibration& c) {
   if (!c.shortage.any()) return {};
-  return Finding{FindingKind::search_short,
-                 {},
-                 {{"tests", static_cast<double>(c.counts.compression())},
-                  {"models", static_cast<double>(c.discarded.size() + 1)},
-                  {"of_effort", c.shortage.of_effort ? 1.0 : 0.0},
-                  {"of_tests", c.shortage.of_tests ? 1.0 : 0.0},
-                  {"foreseen", c.shortage.foreseen ? 1.0 : 0.0},
-                  {"more", static_cast<double>(c.shortage.tests)}},
-                 {},
-                 Advice::longer_search};
+  return Finding{
+      FindingKind::search_short,
+      {},
+      {{"tests", static_cast<double>(c.counts.compression())},
+       {"models", static_cast<double>(c.discarded.size() + 1)},
+       {"of_effort", c.shortage.of_effort ? 1.0 : 0.0},
+       {"of_tests", c.shortage.of_tests ? 1.0 : 0.0},
+       {"foreseen", c.shortage.foreseen ? 1.0 : 0.0},
+       {"more", static_cast<double>(c.shortage.tests) * static_cast<double>(c.discarded.size() + 1)}},
+      {},
+      Advice::longer_search};
 }
 
 /// The step that an advice of a finding is.
