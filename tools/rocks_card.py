@@ -191,7 +191,7 @@ def card_of(folder, runs, predictions):
     done = [(r, d) for r in runs if (d := read(r)) is not None]
     if not done:
         why = why_not(runs[0]) if (runs[0].folder / "log").exists() else "not run"
-        return card | {"verdict": {"status": "nothing to fit" if why != "not run" else why, "lines": [why]}}
+        return card | {"verdict": {"status": "nothing to fit" if why != "not run" else why, "lines": [why if why == "not run" else f"Nothing to fit: {why}."]}}
     found = [d for _, d in done]
     first = found[0]
     inside, of = held(found)

@@ -103,7 +103,8 @@ def use_of(card):
     """What a consulting engineer may quote, of the findings of the verdict."""
     verdict = card["verdict"]
     if "errors" not in card:
-        return f"No model: {verdict['lines'][0].rstrip('.')}. The table serves for comparison alone.\n"
+        why = verdict["lines"][0].rstrip(".")
+        return f"{why[0].upper()}{why[1:]}. The table serves for comparison alone.\n"
     status = f"The verdict on the model is \"{verdict['status']}\"."
     if not verdict["good_for"]:
         status += (" Too few specimens, or no stated scatter: the table shows no use. The errors say how near the model comes."

@@ -137,7 +137,11 @@ Verdict judged(const Calibration& c, const Evidence& evidence, const Found& foun
   r.parameters.assign(fit.parameters.begin(), fit.parameters.end());
   if (fit.nu_gave_way) r.E_before_nu_gave_way = fit.E_before;
   r.limits_of_table = limits_of(evidence, found);
-  if (found.strengths) r.of_search = found.strengths->fit.findings;
+  if (found.strengths) {
+    r.of_search = found.strengths->fit.findings;
+    for (const Estimate& e : found.strengths->fit.parameters)  // an open one lies anywhere
+      if (e.determined) r.parameters.push_back(e);
+  }
   r.verification = c.verification;
   return verdict::judge(r);
 }

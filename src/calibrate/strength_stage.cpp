@@ -391,19 +391,17 @@ class StrengthSearch {
     posterior_.take_moduli(task_.evidence, fit_.recipe);
   }
 
-  /// Another round, where the last one came nearer and rounds and budget allow it; else the reason is noted.
+  /// Another round, where rounds and budget allow it and the last one came nearer; else the reason is noted.
   void go_on(const Finding& why) {
-    if (!came_nearer(posterior_, tried_)) {
-      fit_.notes.push_back(
-          {FindingKind::rounds_no_nearer, {}, {{"rounds", static_cast<double>(tried_.size())}}});
-      return;
-    }
     const std::int64_t spent = task_.simulator.count().compression() - first_test_,
                        round = task_.evidence.n_compressive() * static_cast<std::int64_t>(packings_per_round);
-    if (plan_.batches.size() < plan_.most_batches && spent + round <= task_.budget.max_tests)
+    if (plan_.batches.size() >= plan_.most_batches || spent + round > task_.budget.max_tests)
+      fit_.notes.push_back(why);
+    else if (came_nearer(posterior_, tried_))
       plan_.batches.push_back({Grains::own, true, packings_per_round});
     else
-      fit_.notes.push_back(why);
+      fit_.notes.push_back(
+          {FindingKind::rounds_no_nearer, {}, {{"rounds", static_cast<double>(tried_.size())}}});
   }
 
   /// Targets that no test has answered.

@@ -106,7 +106,7 @@ TEST(Words, NotesOfTheWay) {
                        {"more", 90.0}}}),
             "The search was short (60 tests in compression): the forecast saw the table out of reach. In a "
             "new folder "
-            "--effort normal may come nearer, with about 90 tests more.");
+            "--effort normal may come nearer, with about 90 more.");
   EXPECT_EQ(sentence({Kind::packings_added, {}, {{"packings", 10.0}, {"usual", 5.0}}}),
             "Strengths of packings of this size differ so much that 10 unseen ones were taken instead of 5.");
 }
@@ -156,10 +156,10 @@ TEST(Words, TheVerdictOfATableOfOneValueWithoutBedding) {
   c.verdict.status = VerdictStatus::not_decided, c.verdict.counts = counts(1, 0, 0, 1, 0);
   c.verdict.not_good_for = {{Kind::tests_open, {{Property::ucs, nan}}, {{"of", 1.0}}}};
   c.verdict.next = {Kind::next_step, {}, {}, {"UCS"}, Advice::state_scatter};
-  EXPECT_EQ(
-      verdict_words(c),
-      "Not decided: the table states no scatter. On packings that the fit has not seen: none of 1 value is "
-      "met, 1 is not decided. The model has UCS within 1.7 % of the table.");
+  EXPECT_EQ(verdict_words(c),
+            "Not decided: the table states no scatter of UCS. On packings that the fit has not seen: none of "
+            "1 value is "
+            "met, 1 is not decided. The model has UCS within 1.7 % of the table.");
   EXPECT_THAT(
       verdict_lines(c),
       ElementsAre("Good for: nothing that the table could show.", "Not good for: UCS, not decided.",

@@ -431,9 +431,8 @@ const std::vector<Wording> test_words = {
 const std::vector<Wording> search_words = {
     {Kind::search_short,
      [](F f) {
-       const std::string more = f.number("more") > 0.0
-                                    ? ", with about " + counted_text(f.number("more"), "test") + " more"
-                                    : std::string();
+       const std::string more =
+           f.number("more") > 0.0 ? fmt::format(", with about {:.0f} more", f.number("more")) : std::string();
        return fmt::format(
            "The search was short ({} in compression{}){}. In a new folder {} may come nearer{}.",
            counted_text(f.number("tests"), "test"),

@@ -198,9 +198,8 @@ std::string table_strengths(F f) {
 
 std::string parameters_open(F f) {
   const std::string list = list_text({f.names.begin() + 1, f.names.end()});
-  return fmt::format(
-      "Not determined: {}.{}", list,
-      f.names.front().empty() ? "" : fmt::format(" The test that helps most: {}.", f.names.front()));
+  return fmt::format("Not determined: {}.{}", list,
+                     f.names.front().empty() ? "" : fmt::format(" What helps most: {}.", f.names.front()));
 }
 
 // ---- closed forms

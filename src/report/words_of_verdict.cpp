@@ -27,8 +27,8 @@ std::string largest_misses(const Calibration& c) {
 }
 
 /// Why a table decides nothing, from the step that would help.
-const char* why_open(const Verdict& v) {
-  return v.next.advice == Advice::state_scatter    ? "the table states no scatter"
+std::string why_open(const Verdict& v) {
+  return v.next.advice == Advice::state_scatter ? "the table states no scatter of " + list_text(v.next.names)
          : v.next.advice == Advice::smaller_grains ? "packings of this grain size differ too much"
                                                    : "too few specimens";
 }

@@ -18,7 +18,7 @@ bool moduli_out_of_reach(const std::vector<Comparison>& moduli);
 /// What is to be judged.
 struct Results {
   std::vector<Comparison> moduli;             ///< of the fit, as the laboratory reads them
-  std::vector<ParameterEstimate> parameters;  ///< of the moduli
+  std::vector<ParameterEstimate> parameters;  ///< of the moduli; of strengths those that are determined
   /// Largest error of E with full weight on nu, where nu gave way to E.
   std::optional<double> E_before_nu_gave_way;
   std::vector<Finding> limits_of_table;  ///< why no model has its E and nu

@@ -10,7 +10,7 @@ namespace phy::verdict {
 namespace {
 
 /// Tests that a table may lack, and the parameters that decide them, by symbol.
-constexpr const char* frictions[] = {"mu", "mu_sj", "phi"};
+constexpr const char* frictions[] = {"mu", "mu_sj", "phi", "phi_sj"};
 constexpr const char* ratios_of_tension[] = {"tau_c/sigma_c", "sigma_n,sj/C_sj", "r_t"};
 
 /// The cells of one test with this outcome, out of all that the table has of it.
