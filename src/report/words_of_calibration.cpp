@@ -244,10 +244,10 @@ const std::vector<Wording> cause_words = {
     {Kind::stiffening,
      [](F f) {
        return fmt::format(
-           "From {:.3g} to {:.3g} MPa of confining stress E changes by {:+.0f} % in the table and by {:+.0f} "
-           "% in the model. Bonds do not stiffen.",
-           f.number("from") * 1e-6, f.number("to") * 1e-6, 100.0 * f.number("laboratory"),
-           100.0 * f.number("model"));
+           "Under confining stress E changes by {:+.0f} % in the table and by {:+.0f} % in the model, mean "
+           "over "
+           "the angles. Pressure closes cracks of the rock; the model has none at first.",
+           100.0 * f.number("laboratory"), 100.0 * f.number("model"));
      }},
     {Kind::moduli_scaled,
      [](F f) { return fmt::format("E as a whole is {:.2f} times E of the table.", f.number("factor")); }},

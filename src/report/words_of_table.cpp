@@ -295,10 +295,11 @@ std::string no_planes(F f) {
 }
 
 std::string stiffer(F f) {
-  return say(f,
-             "E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains without layers "
-             "change by 2 % or less (to 20 MPa), so the model will lie between.",
-             100.0 * f.number("change"), in_MPa(f.cells[0].confining), in_MPa(f.cells[1].confining));
+  return say(
+      f,
+      "E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains that do not crack "
+      "before E is read hardly change: 2 % up to 20 MPa. The model may lie between.",
+      100.0 * f.number("change"), in_MPa(f.cells[0].confining), in_MPa(f.cells[1].confining));
 }
 
 std::string coarse_half_disc(F f) {

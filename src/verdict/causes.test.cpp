@@ -96,13 +96,12 @@ Calibration confined_E(double table, double model) {
 TEST(Cause, ModuliThatGrowWithConfinement) {
   const Finding f = cause(confined_E(1.25, 1.02));
   ASSERT_EQ(f.kind, Kind::stiffening);
-  EXPECT_EQ(f.number("from"), 0.0);
-  EXPECT_EQ(f.number("to"), 20e6);
   EXPECT_NEAR(f.number("laboratory"), 0.25, 1e-12);
   EXPECT_NEAR(f.number("model"), 0.02, 1e-12);
   EXPECT_EQ(confined_E(1.25, 1.02).verdict.next.advice, Advice::one_confinement);
   EXPECT_FALSE(has(confined_E(1.04, 1.02), Kind::stiffening));
   EXPECT_FALSE(has(confined_E(1.0, 1.0), Kind::stiffening));
+  EXPECT_FALSE(has(confined_E(0.7, 1.0), Kind::stiffening)) << "E of the table falls: no cracks close";
 }
 
 TEST(Cause, AWeakPlaneIsExcludedOnlyByAnglesThatItCannotHave) {
