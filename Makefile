@@ -18,7 +18,7 @@ QUICK := -LE 'bench|soak|paper'
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libsqlite3-dev zlib1g-dev \
             libzip-dev libpugixml-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libxxhash-dev libbenchmark-dev \
             clang-format clang-tidy python3
-PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
+PYTHON := pybind11-dev python3-dev python3-numpy python3-venv python3-pip python3-setuptools python3-wheel
 SITE := python3-sphinx python3-myst-parser furo
 # For figure, film and study --mpi, the test of a full disk, notebooks, the tests of manual pages and completion.
 MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount $(PYTHON) python3-pandas \

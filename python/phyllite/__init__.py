@@ -10,23 +10,29 @@ These lines break the paper's specimen at seven inclinations of its bedding. SI 
 shortening positive; theta is the inclination of the bedding planes, the load being vertical (docs/conventions.md).
 
 Functions that take long release the interpreter lock, end soon on Ctrl-C (KeyboardInterrupt) and call
-`progress`, if given, with a Progress now and then. threads=0 means all cores.
+`progress`, if given, with a Progress now and then; progress="bar" shows a bar. threads=0 means all cores.
 """
 import csv as _csv
+import glob as _glob
 import inspect as _inspect
 import io as _io
 import json as _json
 import os as _os
+import shutil as _shutil
 import sys as _sys
+import warnings as _warnings
 from collections.abc import Sequence as _Sequence
 from dataclasses import asdict as _asdict
 from dataclasses import dataclass
+from dataclasses import field as _field
 from dataclasses import is_dataclass as _is_dataclass
-from typing import Any, Callable, Dict, Iterator, List, Optional, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Tuple, Union
 
 import numpy as _np
 
 from . import _core
+from . import drawing as _drawing
+from . import notebook as _notebook
 from ._core import Number, Recipe, Specimen, __version__, theory
 from .errors import Error, InputError, InternalError, IoError, Problem
 from .names import known as _known_name
@@ -37,7 +43,7 @@ Path = Union[str, "_os.PathLike[str]"]
 
 __all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "Finding", "InputError", "InternalError",
            "IoError", "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
-           "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "rock",
+           "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "load", "rock",
            "rocks", "run", "study", "theory", "__version__"]
 
 
@@ -58,11 +64,17 @@ class Progress:
         return self.text
 
 
-ProgressFunction = Optional[Callable[[Progress], Any]]
+ProgressFunction = Union[None, str, Callable[[Progress], Any]]
 
 
 def _reporter(progress: ProgressFunction) -> Optional[Callable[[str, int, int], Any]]:
-    return None if progress is None else lambda text, done, total: progress(Progress(text, done, total))
+    if progress is None:
+        return None
+    if progress == "bar":
+        return _notebook.Bar()
+    if not callable(progress):
+        raise TypeError(f'progress: expected a function of a Progress, "bar" or None; got {progress!r}')
+    return lambda text, done, total: progress(Progress(text, done, total))
 
 
 def _text(path: Optional[Path]) -> str:
@@ -102,15 +114,67 @@ def _recipe(value: Any, function: str) -> Recipe:
     raise TypeError(f"{function}: expected a Recipe, or the name of a recipe file (TOML); got {type(value).__name__}")
 
 
-def frame(rows: Any) -> Any:
-    """A pandas DataFrame of a result: Result, list of parameters or comparisons, history, cracks ..."""
+def _in_lab_units(name: str, unit: str) -> Tuple[float, str]:
+    """From SI: factor and unit that laboratories write. Moduli in GPa, stresses in MPa, strains in percent."""
+    if unit in ("Pa", "Pa/m"):
+        big = unit == "Pa/m" or name.split(".")[-1][:1] in ("E", "G")
+        return (1e-9, "G" + unit) if big else (1e-6, "M" + unit)
+    if unit.startswith("Pa "):
+        return 1e-6, "M" + unit
+    if unit == "m":
+        return 1e3, "mm"
+    return (100.0, "%") if unit == "1" and "strain" in name else (1.0, unit)
+
+
+def _scaled(row: Dict[str, Any], names: Iterable[str], of: str, unit: str) -> Dict[str, Any]:
+    factor, new = _in_lab_units(of, unit)
+    return {**row, **{name: factor * row[name] for name in names}, "unit": new}
+
+
+def _rows_in_lab_units(rows: List[Any]) -> List[Any]:
+    """Rows of one table: parameters, comparisons or targets, or columns with their unit in the head."""
+    def one(row: Any) -> Dict[str, Any]:
+        cells = _asdict(row) if _is_dataclass(row) else row
+        if isinstance(row, Parameter):
+            return _scaled(cells, ("value", "low", "high"), row.key, row.unit)
+        if isinstance(row, (Comparison, Target)):
+            values = ("mean", "sd") if isinstance(row, Target) else (
+                "laboratory", "laboratory_sd", "model", "model_sd", "with_discrepancy", "low", "high")
+            cells = _scaled(cells, values, row.property, row.unit)
+            return {**cells, "confining": 1e-6 * row.confining, "diameter": 1e3 * row.diameter}
+        renamed = {}
+        for head, value in cells.items():
+            name, bracket, unit = head.partition(" [")
+            factor, new = _in_lab_units(name, unit.rstrip("]")) if bracket else (1.0, "")
+            renamed[f"{name} [{new}]" if bracket else head] = value if factor == 1.0 else factor * value
+        return renamed
+
+    return [one(row) for row in rows]
+
+
+def frame(rows: Any, units: str = "SI") -> Any:
+    """A pandas DataFrame of a result: Result, Specimen (its history), list of parameters or comparisons, cracks ...
+
+    units: "SI", or "lab": moduli in GPa, stresses in MPa, strains in percent, lengths in mm.
+    """
     import pandas
 
+    if units not in ("SI", "lab"):
+        raise ValueError(f'units: expected "SI" or "lab"; got {units!r}')
+    if isinstance(rows, Specimen):
+        history = rows.history
+        rows = pandas.DataFrame({f"{name} [{unit}]": history[name] for name, unit, _ in rows.columns})
+        return pandas.DataFrame(_rows_in_lab_units([dict(rows)])[0]) if units == "lab" else rows
     if hasattr(rows, "_frame_rows"):
         rows = rows._frame_rows()
-    if not isinstance(rows, _np.ndarray):
-        rows = [_asdict(row) if _is_dataclass(row) else row for row in rows]
-    return pandas.DataFrame(rows)
+    if isinstance(rows, _np.ndarray):
+        if units == "lab":
+            raise ValueError('units: an array does not know its units; frame(specimen, units="lab") has those of its history')
+        return pandas.DataFrame(rows)
+    rows = list(rows)
+    if units == "lab":
+        return pandas.DataFrame(_rows_in_lab_units(rows))
+    return pandas.DataFrame([_asdict(row) if _is_dataclass(row) else row for row in rows])
 
 
 def explain(key: str) -> str:
@@ -132,6 +196,7 @@ class Target:
     n: int  #: specimens
     confining: float  #: confining stress [Pa]
     diameter: float  #: [m] of a disc or half disc; 0: the model's
+    unit: str  #: of mean and sd
 
 
 class Rock:
@@ -141,15 +206,24 @@ class Rock:
     (docs/formats.md, "Rock").
     """
 
-    def __init__(self, record: Any):
+    def __init__(self, record: Any, made: Tuple[str, Tuple[Any, ...]] = ("", ())):
         if not isinstance(record, _core.RockRecord):
             raise TypeError("a Rock comes from Rock.from_toml, Rock.from_csv or Rock.from_dataframe")
         self._record = record
+        self._made = made  # a copy, also in another process, is made the same way: files are read there again
+
+    @staticmethod
+    def _make(how: str, *arguments: Any) -> "Rock":
+        copies = [dict(a) if isinstance(a, dict) else a for a in arguments]  # whose keys are completed there
+        return Rock(getattr(_core.RockRecord, how)(*copies), (how, arguments))
+
+    def __reduce__(self) -> Any:
+        return Rock._make, (self._made[0], *self._made[1])
 
     @staticmethod
     def from_toml(path: Path) -> "Rock":
         """The rock of a rock file. Raises IoError, or InputError with every problem of all its files."""
-        return Rock(_core.RockRecord.from_toml(_text(path)))
+        return Rock._make("from_toml", _text(path))
 
     @staticmethod
     def from_csv(path: Path, **keys: Any) -> "Rock":
@@ -159,7 +233,7 @@ class Rock:
         be a Recipe or the name of a file. Raises IoError, or InputError with every problem found.
         """
         stem = _os.path.splitext(_os.path.basename(_text(path)))[0]
-        return Rock(_core.RockRecord.from_keys({"name": stem, **keys, "data": _text(path)}, "Rock.from_csv", None))
+        return Rock._make("from_keys", {"name": stem, **keys, "data": _text(path)}, "Rock.from_csv", None)
 
     @staticmethod
     def from_dataframe(frame: Any, **keys: Any) -> "Rock":
@@ -169,8 +243,8 @@ class Rock:
         """
         if not hasattr(frame, "to_csv"):
             raise TypeError(f"Rock.from_dataframe: expected a pandas DataFrame; got {type(frame).__name__}")
-        return Rock(_core.RockRecord.from_keys({"name": "rock", **keys, "data": "DataFrame"}, "Rock.from_dataframe",
-                                               frame.to_csv(index=False)))
+        return Rock._make("from_keys", {"name": "rock", **keys, "data": "DataFrame"}, "Rock.from_dataframe",
+                          frame.to_csv(index=False))
 
     @property
     def name(self) -> str:
@@ -203,6 +277,12 @@ class Rock:
     def __repr__(self) -> str:
         return f"<phyllite.Rock \"{self.name}\">"
 
+    def _repr_html_(self) -> str:
+        head = ["property", "unit", "theta [deg]", "mean", "scatter", "n", "confining [MPa]"]
+        rows = _rows_in_lab_units(self.targets)
+        cells = [[r["property"], r["unit"], r["theta"], r["mean"], r["sd"], r["n"], r["confining"]] for r in rows]
+        return _notebook.paragraphs([self.name]) + _notebook.table(head, cells)
+
 
 _with_keys(Rock.from_csv, "rock")
 _with_keys(Rock.from_dataframe, "rock")
@@ -225,7 +305,7 @@ def rocks() -> List[str]:
 
 def rock(name: str) -> Rock:
     """One of them: phyllite.rock("boryeong-shale"). Raises InputError for another name."""
-    return Rock(_core.RockRecord.from_base(name))
+    return Rock._make("from_base", name)
 
 
 # ---- tests
@@ -267,8 +347,20 @@ class Result(_Sequence):
         head = [{"specimen": s.name, "theta [deg]": s.theta, "status": s.status} for s in self]
         return [{**h, **{f"{n.name} [{n.unit}]": n.value for n in s.numbers.values()}} for h, s in zip(head, self)]
 
+    def plot(self, kind: str = "stress_strain", *, rock: Optional[Rock] = None, ax: Any = None) -> Any:
+        """A Matplotlib figure: "stress_strain", "damage", "anisotropy" (over the angle, beside the values of a `rock`),
+        "modes" or "rose" of the cracks. ax: axes to draw into, where it has one panel."""
+        return _drawing.draw(_core.run_figure(self._specimens, kind, None if rock is None else rock._record), ax)
+
     def __repr__(self) -> str:
         return f"<phyllite.Result of {len(self)} specimens>"
+
+    def _repr_html_(self) -> str:
+        rows = _rows_in_lab_units(self._frame_rows())
+        known = [name for name in (rows[0] if rows else {}) if any(row.get(name) == row.get(name) for row in rows)]
+        shown = known[:12]
+        return _notebook.table(shown, [[row.get(name) for name in shown] for row in rows]) + _notebook.paragraphs(
+            [f"{len(known) - len(shown)} more numbers: phyllite.frame(result)"] if len(known) > len(shown) else [])
 
 
 def run(recipe: Union[Recipe, Path], out: Optional[Path] = None, *, replace: bool = False, threads: int = 0,
@@ -282,6 +374,16 @@ def run(recipe: Union[Recipe, Path], out: Optional[Path] = None, *, replace: boo
     recipe = _recipe(recipe, "run")
     tests = _core.run(recipe, _text(out), replace, threads, _reporter(progress))
     return Result(recipe, tests, _text(out))
+
+
+def _plot_specimen(self: Specimen, kind: str = "stress_strain", *, ax: Any = None) -> Any:
+    """plot(kind="stress_strain", *, ax=None): as Result.plot, of this specimen alone."""
+    return _drawing.draw(_core.run_figure([self], kind, None), ax)
+
+
+Specimen.plot = _plot_specimen  # type: ignore[method-assign]
+Recipe._repr_html_ = lambda self: _notebook.paragraphs([f"Recipe {self.name}: {', '.join(self.specimens)}"]) + (  # type: ignore[attr-defined]
+    _notebook.folded("all keys", self.to_toml()))
 
 
 @dataclass(frozen=True)
@@ -344,6 +446,15 @@ class Study:
     text: str  #: the tables that the program prints
     hash: str  #: over all results, that of the program
 
+    @staticmethod
+    def _of(folder: str, found: Dict[str, str]) -> "Study":
+        tables = {name: _table(found.get(name, "")) for name in ("table", "responses", "effects")}
+        return Study(folder=folder, text=found.get("text", ""), hash=found.get("hash", ""), **tables)
+
+    def plot(self, kind: str = "strength") -> Any:
+        """A Matplotlib figure: "stiffness", "modulus" or "strength" over what was varied one at a time."""
+        return _drawing.draw(_core.study_figure(self.folder, kind))
+
     def __str__(self) -> str:
         return self.text
 
@@ -366,15 +477,19 @@ def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress:
     if keys and not given:
         raise TypeError("keys of a study go with a recipe, not with a study file: " + ", ".join(keys))
     keys.setdefault("name", _os.path.basename(_os.path.abspath(_text(out))))
-    found = _core.study(source if given else _text(source), keys, _text(out), threads, _reporter(progress))
-    tables = {name: _table(found.get(name, "")) for name in ("table", "responses", "effects")}
-    return Study(folder=_text(out), text=found.get("text", ""), hash=found.get("hash", ""), **tables)
+    return Study._of(_text(out), _core.study(source if given else _text(source), keys, _text(out), threads,
+                                             _reporter(progress)))
 
 
 _with_keys(study, "study")
 
 
-# ---- calibration
+# ---- calibration, as calibration.json has it (docs/formats.md)
+
+
+def _number(value: Optional[float]) -> float:
+    """JSON has no NaN: it stands as null there."""
+    return _np.nan if value is None else value
 
 
 @dataclass(frozen=True)
@@ -387,9 +502,15 @@ class Parameter:
     low: float  #: 95 % interval; NaN: the method gives none
     high: float
     unit: str
-    determined: bool  #: by the data; else next_test says what would
+    determined: Optional[bool]  #: by the data; else next_test says what would. None: the method gives no interval
     rests_on: str
     next_test: str
+
+    @staticmethod
+    def _of(row: Dict[str, Any]) -> "Parameter":
+        numbers = {name: _number(row[name]) for name in ("value", "low", "high")}
+        return Parameter(row["key"], row["symbol"], **numbers, unit=row["unit"], determined=row["determined"],
+                         rests_on=row.get("rests_on", {}).get("text", ""), next_test=row.get("next", {}).get("text", ""))
 
 
 @dataclass(frozen=True)
@@ -397,6 +518,7 @@ class Comparison:
     """Laboratory beside model."""
 
     property: str  #: "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci", "K_Ic", ...
+    unit: str  #: of laboratory and model
     theta: float  #: [deg]
     confining: float  #: [Pa]; of tau_peak and tau_residual the normal stress
     diameter: float  #: [m] of a disc or half disc; 0: the model's
@@ -416,17 +538,31 @@ class Comparison:
     failure_angle: float  #: [deg] in which cracks line up, like theta; NaN: they do not
     failure_angle_sd: float  #: [deg] between packings
 
+    @staticmethod
+    def _of(row: Dict[str, Any]) -> "Comparison":
+        lab, failure, model = row["laboratory"], row.get("failure", {}), _number(row["model"])
+        return Comparison(
+            property=row["property"], unit=row["unit"], theta=row["theta [deg]"],
+            confining=row.get("confining [Pa]", 0.0), diameter=row.get("diameter [m]", 0.0),
+            laboratory=lab["mean"], laboratory_sd=_number(lab["sd"]), n=lab["n"],
+            model=model, model_sd=_number(row["sd_of_packings"]), n_packings=row["n_packings"],
+            error=model / lab["mean"] - 1.0, with_discrepancy=_number(row.get("with_discrepancy")),
+            low=_number(row["low"]), high=_number(row["high"]), missing=row.get("missing", ""),
+            bedding_share=_number(failure.get("bedding_share")),
+            bedding_share_sd=_number(failure.get("bedding_share_sd")),
+            failure_angle=_number(failure.get("angle [deg]")), failure_angle_sd=_number(failure.get("angle_sd [deg]")))
+
 
 @dataclass(frozen=True)
 class Finding:
     """What was found: kind, cells and numbers are data (docs/formats.md), `text` says it to people."""
 
     kind: str
-    cells: List[Dict[str, Any]]  #: property, theta [deg], confining [Pa], diameter [m]
-    numbers: Dict[str, float]  #: in SI
-    names: List[str]
-    advice: str
+    cells: List[Dict[str, Any]]  #: "property", "theta [deg]", "confining [Pa]", "diameter [m]"
+    numbers: Dict[str, Any]  #: in SI; a list where a name has several
     text: str
+    names: List[str] = _field(default_factory=list)
+    advice: str = ""
 
     def __str__(self) -> str:
         return self.text
@@ -452,24 +588,35 @@ class Verdict:
 class Calibration:
     """What a calibration has found; str() of it is what the command prints."""
 
-    def __init__(self, record: Any):
-        self._record = record
+    def __init__(self, content: str, recipe: Recipe, ensemble: List[Recipe], text: str, folder: str = "",
+                 record: Any = None):
+        self._content = content
+        self._record = record  # of the calibration just made; it stays in this process
+        self._text = text
+        found = _json.loads(content)
+        self.name: str = found["rock"]
+        self.folder = folder  #: where its files are; "": nowhere
         #: the calibrated model, ready to run
-        self.recipe: Recipe = record.recipe
+        self.recipe = recipe
         #: joint draws of what is known of it, as recipes
-        self.ensemble: List[Recipe] = record.ensemble
-        self.parameters = [Parameter(**row) for row in record.parameters]
+        self.ensemble = ensemble
+        self.parameters = [Parameter._of(row) for row in found["parameters"]]
+        rows = {name: [Comparison._of(row) for row in found.get(name, [])]
+                for name in ("fitted", "verification", "left_out", "compared")}
         #: on the packings of the fit
-        self.fitted = [Comparison(**row) for row in record.fitted]
+        self.fitted = rows["fitted"]
         #: on packings that the fit has not seen
-        self.verification = [Comparison(**row) for row in record.verification]
+        self.verification = rows["verification"]
         #: each value predicted without it
-        self.left_out = [Comparison(**row) for row in record.left_out]
+        self.left_out = rows["left_out"]
         #: K_Ic on unseen packings, where nobody has stated the grain size: compared, not fitted
-        self.compared = [Comparison(**row) for row in record.compared]
-        findings = [[Finding(**row) for row in rows] for rows in (record.good_for, record.not_good_for, record.findings, record.causes)]
-        self.verdict = Verdict(record.status, record.sentence, record.lines, *findings, record.next)
-        self.notes = [Finding(**row) for row in record.notes]
+        self.compared = rows["compared"]
+        verdict = found["verdict"]
+        findings = {name: [Finding(**row) for row in verdict[name]]
+                    for name in ("good_for", "not_good_for", "findings", "causes")}
+        self.verdict = Verdict(verdict["status"], verdict["sentence"], verdict["lines"], **findings,
+                               next=verdict["next"]["text"])
+        self.notes = [Finding(**row) for row in found["notes"]]
 
     @property
     def table(self) -> List[Comparison]:
@@ -478,17 +625,36 @@ class Calibration:
 
     def to_dict(self) -> Dict[str, Any]:
         """Everything, as calibration.json has it (docs/formats.md)."""
-        return _json.loads(self._record.json())
+        return _json.loads(self._content)
+
+    def plot(self, ax: Any = None) -> Any:
+        """A Matplotlib figure: laboratory, model, intervals and values left out over the angle, a panel per test."""
+        return _drawing.draw(_core.calibration_figure(self._content, self.folder or "calibration"), ax)
 
     def save(self, folder: Path) -> None:
         """Writes the files that `phyllite calibrate` leaves, but for the store of its tests."""
-        self._record.save(_text(folder))
+        if self._record is not None:
+            self._record.save(_text(folder))
+        elif self.folder:
+            _shutil.copytree(self.folder, _text(folder), ignore=_shutil.ignore_patterns("runs.sqlite*", ".*"))
+        else:
+            raise ValueError("save: this calibration has come from another process without files; save it there")
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "_record": None}
 
     def __str__(self) -> str:
-        return self._record.text()
+        return self._text
 
     def __repr__(self) -> str:
-        return f"<phyllite.Calibration of \"{self._record.name}\": {self.verdict.status}>"
+        return f"<phyllite.Calibration of \"{self.name}\": {self.verdict.status}>"
+
+    def _repr_html_(self) -> str:
+        rows = _rows_in_lab_units(self.table)
+        head = ["property", "unit", "theta [deg]", "laboratory", "model", "error [%]"]
+        cells = [[r["property"], r["unit"], r["theta"], r["laboratory"], r["model"], 100.0 * r["error"]] for r in rows]
+        return _notebook.paragraphs([f"{self.name}: {self.verdict.sentence}", *self.verdict.lines]) + _notebook.table(
+            head, cells)
 
 
 def calibrate(rock: Union[Rock, Path], out: Optional[Path] = None, *, threads: int = 0,
@@ -500,8 +666,8 @@ def calibrate(rock: Union[Rock, Path], out: Optional[Path] = None, *, threads: i
     """
     given = {name: value for name, value in options.items() if value is not None}
     _inspect.signature(calibrate).bind(rock, out, **given)  # an argument that there is not
-    return Calibration(_core.calibrate(_rock(rock, "calibrate")._record, {**given, "out": _text(out)}, threads,
-                                       _reporter(progress)))
+    made = _core.calibrate(_rock(rock, "calibrate")._record, {**given, "out": _text(out)}, threads, _reporter(progress))
+    return Calibration(made.json(), made.recipe, made.ensemble, made.text(), _text(out), made)
 
 
 def _with_options(function: Any, options: Any) -> None:
@@ -514,6 +680,44 @@ def _with_options(function: Any, options: Any) -> None:
 
 
 _with_options(calibrate, _core.calibration_options())
+
+
+# ---- what lies on the disk
+
+
+def _read(*names: str) -> str:
+    try:
+        with open(_os.path.join(*names), encoding="utf-8") as file:
+            return file.read()
+    except OSError as reason:
+        raise IoError(f"{_os.path.join(*names)}: cannot be read ({reason.strerror}); a calibration that was stopped goes on "
+                      "with calibrate(..., resume=True)") from None
+
+
+def _load_calibration(folder: str) -> Calibration:
+    content = _read(folder, "calibration.json")
+    _core.calibration_figure(content, _os.path.join(folder, "calibration.json"))  # refuses what is none of this format
+    draws = sorted(_glob.glob(_os.path.join(_glob.escape(folder), "ensemble", "*.toml")))
+    return Calibration(content, Recipe.from_file(_os.path.join(folder, "calibrated.toml")),
+                       [Recipe.from_file(path) for path in draws], _read(folder, "tables.txt"), folder)
+
+
+def load(folder: Path) -> Union[Result, Calibration, Study]:
+    """What `phyllite run`, `calibrate` or `study`, the page or an earlier notebook has left in a folder.
+
+    A Result, Calibration or Study as run(), calibrate() and study() return it. A Result from a folder has no last state of
+    grains and contacts; a Calibration prints tables.txt. Specimens that the recipe names and that are not there are warned
+    of. Raises IoError, or InputError where the folder holds no result.
+    """
+    path = _text(folder)
+    if _os.path.exists(_os.path.join(path, "calibration.json")):
+        return _load_calibration(path)
+    if _os.path.exists(_os.path.join(path, "study.sqlite")):
+        return Study._of(path, _core.load_study(path))
+    tests, missing = _core.load_run(path)
+    for line in missing:
+        _warnings.warn(line, stacklevel=2)
+    return Result(tests[0].recipe, tests, path)
 
 
 # ---- one contact

@@ -6,7 +6,9 @@
 #include <map>
 
 #include "base/clock.hpp"
+#include "base/option.hpp"
 #include "base/version.hpp"
+#include "io/load_variation.hpp"
 #include "io/regressions.hpp"
 #include "jobs/calibration_job.hpp"
 #include "jobs/machine.hpp"
@@ -14,8 +16,10 @@
 #include "jobs/study_folder.hpp"
 #include "python/module.hpp"
 #include "python/released.hpp"
+#include "report/calibration_figures.hpp"
 #include "report/calibration_files.hpp"
-#include "report/words.hpp"
+#include "report/figure_json.hpp"
+#include "report/figures.hpp"
 #include "study/store_queue.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
@@ -67,49 +71,10 @@ void save(const Calibration& c, const std::string& folder) {
   jobs::write_report(folder);
 }
 
-py::dict row_of_estimate(const ParameterEstimate& p) {
-  py::dict row;
-  row["key"] = p.key, row["symbol"] = p.symbol, row["value"] = p.value, row["low"] = p.low,
-  row["high"] = p.high;
-  row["unit"] = p.unit, row["determined"] = p.determined;
-  row["rests_on"] = text_of(p.rests_on), row["next_test"] = text_of(p.next);
-  return row;
-}
-
-py::list rows_of(const std::vector<Finding>& findings) {
-  py::list rows;
-  for (const Finding& f : findings) {
-    py::dict row, numbers;
-    py::list cells;
-    for (const Cell& c : f.cells) {
-      py::dict cell;
-      cell["property"] = to_string(c.property), cell["theta"] = c.theta;
-      cell["confining"] = c.confining, cell["diameter"] = c.diameter;
-      cells.append(cell);
-    }
-    for (const NamedNumber& q : f.numbers) numbers[py::str(std::string(q.name))] = q.value;
-    row["kind"] = to_string(f.kind), row["cells"] = cells, row["numbers"] = numbers;
-    row["names"] = f.names, row["advice"] = to_string(f.advice), row["text"] = report::sentence(f);
-    rows.append(row);
-  }
-  return rows;
-}
-
-py::list rows_of(const std::vector<Comparison>& table) {
-  py::list rows;
-  for (const Comparison& c : table) {
-    py::dict row;
-    row["property"] = to_string(c.target.property), row["theta"] = c.target.theta;
-    row["confining"] = c.target.confining, row["diameter"] = c.target.diameter;
-    row["laboratory"] = c.target.mean, row["laboratory_sd"] = c.target.sd, row["n"] = c.target.n;
-    row["model"] = c.mean, row["model_sd"] = c.sd, row["n_packings"] = c.n_packings, row["error"] = c.error();
-    row["with_discrepancy"] = c.with_discrepancy;
-    row["low"] = c.low, row["high"] = c.high, row["missing"] = c.missing;
-    row["bedding_share"] = c.failure.bedding_share, row["bedding_share_sd"] = c.failure.bedding_share_sd;
-    row["failure_angle"] = c.failure.angle, row["failure_angle_sd"] = c.failure.angle_sd;
-    rows.append(row);
-  }
-  return rows;
+/// What its figure shows (report/figure.hpp), as JSON. `json`: the text of calibration.json, `file`: its
+/// name.
+std::string calibration_figure(const std::string& json, const std::string& file) {
+  return report::figure_json(report::calibration_figure(report::comparisons_of(json, file))).dump();
 }
 
 study::Study study_from(const py::dict& keys, const py::object& recipe) {
@@ -139,67 +104,71 @@ study::StudyRows finished_rows(const study::Study& wanted, const study::Plan& pl
   return study::rows_of(plan, *store);
 }
 
+using StudyTexts = std::map<std::string, std::string>;
+
 /// By name: the tables as CSV, the text that the program prints, the hash. Empty where nothing has finished.
-std::map<std::string, std::string> run_study(const py::object& source, const py::dict& keys,
-                                             const std::string& folder, int threads,
-                                             const py::object& progress) {
+StudyTexts texts_of(const study::Plan& plan, const study::StudyRows& rows) {
+  if (std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); })) return {};
+  const std::vector<study::Response> all = study::all_responses(plan, rows);
+  return {{"table", study::study_csv(plan, rows)},
+          {"responses", study::responses_csv(plan, all)},
+          {"effects", study::effects_csv(plan, all)},
+          {"text", study::effects_text(plan, rows)},
+          {"hash", study::hash_of(rows)}};
+}
+
+StudyTexts run_study(const py::object& source, const py::dict& keys, const std::string& folder, int threads,
+                     const py::object& progress) {
   const bool from_file = py::isinstance<py::str>(source);
   const std::string path = from_file ? source.cast<std::string>() : "";
   study::Study wanted = from_file ? study::Study() : study_from(keys, source);
-  std::map<std::string, std::string> answer;
+  StudyTexts answer;
   run_released(progress, [&](Watch& watch) {
     if (from_file) wanted = study::read_study(path);
     jobs::check_study_outputs(study::study_files(wanted), folder, {});
     jobs::refuse_other_study(wanted, folder), jobs::refuse_unmerged(folder);
     const study::Plan plan = study::make_plan(wanted);
     const study::StudyRows rows = finished_rows(wanted, plan, folder, threads, watch);
-    if (std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); })) return;
+    answer = texts_of(plan, rows);
+    if (answer.empty()) return;
     jobs::write_tables(plan, rows, folder);
     if (!plan.study.vary.empty()) jobs::write_report(folder);
-    const std::vector<study::Response> all = study::all_responses(plan, rows);
-    answer = {{"table", study::study_csv(plan, rows)},
-              {"responses", study::responses_csv(plan, all)},
-              {"effects", study::effects_csv(plan, all)},
-              {"text", study::effects_text(plan, rows)},
-              {"hash", study::hash_of(rows)}};
   });
   return answer;
+}
+
+/// A study as far as it has run.
+StudyTexts load_study(const std::string& folder) {
+  const study::Plan plan = study::make_plan(jobs::study_in(folder));
+  return texts_of(plan,
+                  study::rows_of(plan, study::Store(jobs::store_file(folder, {}), study::Sharing::reading)));
+}
+
+/// What a figure of a study shows, as JSON.
+std::string study_figure(const std::string& folder, const std::string& word) {
+  const report::FigureKind& kind = report::figure_kind(word);
+  if (!kind.varied)
+    throw InputError(option_problem("kind", word, "a chart of a study: stiffness, modulus or strength", ""));
+  report::FigureData data;
+  data.variation = io::read_variation(folder);
+  return report::figure_json(kind.make(data)).dump();
 }
 
 }  // namespace
 
 void add_calibrations(py::module_& m) {
   py::class_<Calibration>(m, "CalibrationRecord")
-      .def_property_readonly("name", [](const Calibration& c) { return c.rock; })
       .def_readonly("recipe", &Calibration::recipe)
       .def_readonly("ensemble", &Calibration::ensemble)
-      .def_property_readonly("notes", [](const Calibration& c) { return rows_of(c.notes); })
-      .def_property_readonly("status", [](const Calibration& c) { return to_string(c.verdict.status); })
-      .def_property_readonly("sentence", [](const Calibration& c) { return report::verdict_words(c); })
-      .def_property_readonly("findings", [](const Calibration& c) { return rows_of(c.verdict.findings); })
-      .def_property_readonly("causes", [](const Calibration& c) { return rows_of(c.verdict.causes); })
-      .def_property_readonly("lines", [](const Calibration& c) { return report::verdict_lines(c); })
-      .def_property_readonly("good_for", [](const Calibration& c) { return rows_of(c.verdict.good_for); })
-      .def_property_readonly("not_good_for",
-                             [](const Calibration& c) { return rows_of(c.verdict.not_good_for); })
-      .def_property_readonly("next", [](const Calibration& c) { return report::next_words(c); })
-      .def_property_readonly("parameters",
-                             [](const Calibration& c) {
-                               py::list rows;
-                               for (const ParameterEstimate& p : c.parameters)
-                                 rows.append(row_of_estimate(p));
-                               return rows;
-                             })
-      .def_property_readonly("fitted", [](const Calibration& c) { return rows_of(c.fitted); })
-      .def_property_readonly("verification", [](const Calibration& c) { return rows_of(c.verification); })
-      .def_property_readonly("left_out", [](const Calibration& c) { return rows_of(c.left_out); })
-      .def_property_readonly("compared", [](const Calibration& c) { return rows_of(c.compared); })
       .def("text", [](const Calibration& c) { return jobs::screen_of(c, 0); })
       .def("json", [](const Calibration& c) { return report::calibration_json(c, phy::version); })
       .def("save", &save, py::arg("folder"));
   m.def("calibration_options", &calibration_options);
   m.def("calibrate", &calibrate, py::arg("rock"), py::arg("options"), py::arg("threads"),
         py::arg("progress"));
+  m.def("calibration_figure", &calibration_figure, py::arg("json"), py::arg("file"));
+  m.def("load_study", &load_study, py::arg("folder"));
+  m.def("study_figure", &study_figure, py::arg("folder"), py::arg("kind"));
   m.def("study", &run_study, py::arg("source"), py::arg("keys"), py::arg("folder"), py::arg("threads"),
         py::arg("progress"));
 }

@@ -69,7 +69,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = phy::version;
   py::register_exception_translator(translate);
   spell_options({"", argument, argument_set});
-  add_recipes(m), add_runs(m), add_calibrations(m);
+  add_recipes(m), add_specimens(m), add_runs(m), add_calibrations(m);
   py::module_ theory = m.def_submodule("theory");
   add_theory(theory);
 }

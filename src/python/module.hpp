@@ -27,6 +27,7 @@ io::TomlValue tree_of(const py::dict& keys, const std::string& where);
 
 // Each adds a part of the module.
 void add_recipes(py::module_& m);
+void add_specimens(py::module_& m);
 void add_runs(py::module_& m);
 void add_calibrations(py::module_& m);
 void add_theory(py::module_& m);

@@ -14,6 +14,7 @@
 #include "jobs/rock_base.hpp"
 #include "python/module.hpp"
 #include "records/calibration.hpp"
+#include "records/measured_property.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/specimen_record.hpp"
 #include "report/finding_json.hpp"
@@ -161,6 +162,7 @@ py::list rows_of_targets(const NamedRock& rock) {
   for (const Target& t : targets_of(rock.rock)) {
     py::dict row;
     row["property"] = to_string(t.property), row["theta"] = t.theta, row["mean"] = t.mean, row["sd"] = t.sd;
+    row["unit"] = si_unit(t.property);
     row["n"] = t.n, row["confining"] = t.confining, row["diameter"] = t.diameter;
     rows.append(row);
   }
@@ -233,6 +235,8 @@ The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for 
       .def_property_readonly(
           "specimens", [](const Recipe& r) { return specimen_names(r); },
           R"(Names of the specimens that it asks for: "theta = 30 deg", "intact".)")
+      .def(py::pickle([](const Recipe& r) { return py::make_tuple(io::write_recipe(r)); },
+                      [](const py::tuple& t) { return io::parse_recipe(t[0].cast<std::string>(), "recipe"); }))
       .def("__eq__",
            [](const Recipe& a, const Recipe& b) { return io::write_recipe(a) == io::write_recipe(b); })
       .def("__repr__", [](const Recipe& r) { return "<phyllite.Recipe \"" + r.name + "\">"; });

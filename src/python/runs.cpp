@@ -1,10 +1,8 @@
-// Running recipes: tests under the press, the direct elastic solution, one contact on the bench; and the
-// results, whose series are arrays over the memory that they lie in.
+// Running recipes: tests under the press, the direct elastic solution, one contact on the bench.
 #include <pybind11/stl.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
 
 #include "base/units.hpp"
@@ -23,8 +21,8 @@
 #include "python/arrays.hpp"
 #include "python/module.hpp"
 #include "python/released.hpp"
+#include "python/specimens.hpp"
 #include "records/jointed.hpp"
-#include "records/test_description.hpp"
 #include "study/elastic_study.hpp"
 #include "study/worker.hpp"
 #include "verification/contact_witness.hpp"
@@ -33,72 +31,6 @@ namespace phy::python {
 namespace {
 
 using Specimens = std::vector<std::shared_ptr<const Specimen>>;
-
-/// A finished test with what it was made on.
-struct Test {
-  TestResult result;
-  std::shared_ptr<const Specimen> specimen;
-};
-
-const Snapshot no_snapshot{};
-const Snapshot& last_state(const Test& test) {
-  return test.result.snapshots.empty() ? no_snapshot : test.result.snapshots.back();
-}
-
-std::vector<Member> history_members(const TestResult& result) {
-  const HistoryRow row;
-  std::vector<Member> members;
-  for (const HistoryColumn& c : result.kind->columns)
-    members.push_back({c.name, "f8",
-                       static_cast<std::size_t>(reinterpret_cast<const char*>(&(row.*c.value)) -
-                                                reinterpret_cast<const char*>(&row))});
-  return members;
-}
-
-const std::vector<Member>& crack_members() {
-  static_assert(sizeof(CrackMode) == 1 && sizeof(CrackPlace) == 1 && sizeof(Vec2) == 2 * sizeof(double));
-  using C = CrackEvent;
-  constexpr std::size_t y = sizeof(double);
-  static const std::vector<Member> members = {
-      {"step", "i8", offsetof(C, step)},           {"time", "f8", offsetof(C, time)},
-      {"strain", "f8", offsetof(C, strain)},       {"grain_a", "u4", offsetof(C, a)},
-      {"grain_b", "u4", offsetof(C, b)},           {"mode", "u1", offsetof(C, mode)},
-      {"place", "u1", offsetof(C, place)},         {"x", "f8", offsetof(C, position)},
-      {"y", "f8", offsetof(C, position) + y},      {"normal_x", "f8", offsetof(C, normal)},
-      {"normal_y", "f8", offsetof(C, normal) + y}, {"size", "f8", offsetof(C, size)},
-      {"energy", "f8", offsetof(C, energy)}};
-  return members;
-}
-
-const std::vector<Member>& contact_members() {
-  static_assert(sizeof(ContactKind) == 1 && sizeof(bool) == 1);
-  using C = ContactState;
-  static const std::vector<Member> members = {
-      {"grain_a", "u4", offsetof(C, a)},       {"grain_b", "u4", offsetof(C, b)},
-      {"kind", "u1", offsetof(C, kind)},       {"broken", "?", offsetof(C, broken)},
-      {"F_n", "f8", offsetof(C, F_n)},         {"F_s", "f8", offsetof(C, F_s)},
-      {"normal_x", "f8", offsetof(C, normal)}, {"normal_y", "f8", offsetof(C, normal) + sizeof(double)}};
-  return members;
-}
-
-const std::vector<Member> grain_members = {{"ux", "f8", offsetof(GrainState, ux)},
-                                           {"uy", "f8", offsetof(GrainState, uy)},
-                                           {"rotation", "f8", offsetof(GrainState, rotation)}};
-const std::vector<Member> disc_members = {
-    {"x", "f8", offsetof(Disc, x)}, {"y", "f8", offsetof(Disc, y)}, {"r", "f8", offsetof(Disc, r)}};
-
-py::list columns_of(const Test& t) {
-  py::list columns;
-  for (const HistoryColumn& c : t.result.kind->columns)
-    columns.append(py::make_tuple(c.name, c.unit, c.meaning));
-  return columns;
-}
-
-py::dict numbers_of(const Test& t) {
-  py::dict numbers = py::module_::import("phyllite.names").attr("Numbers")();
-  for (const Number& n : t.result.numbers) numbers[py::str(n.name)] = n;
-  return numbers;
-}
 
 /// Runs the tests; with a folder, what the command leaves in it.
 std::vector<TestResult> press(const Recipe& recipe, const Specimens& specimens, const std::string& folder,
@@ -119,8 +51,8 @@ std::vector<TestResult> press(const Recipe& recipe, const Specimens& specimens, 
   return study::run_tests(specimens, recipe, jobs::machine_of(threads), hooks);
 }
 
-std::vector<std::shared_ptr<Test>> run(const Recipe& recipe, const std::string& folder, bool replace,
-                                       int threads, const py::object& progress) {
+Tests run(const Recipe& recipe, const std::string& folder, bool replace, int threads,
+          const py::object& progress) {
   Specimens specimens;
   std::vector<TestResult> results;
   run_released(progress, [&](Watch& watch) {
@@ -145,9 +77,10 @@ std::vector<std::shared_ptr<Test>> run(const Recipe& recipe, const std::string& 
                                  [](const TestResult& r) { return r.outcome.status != Status::interrupted; });
     if (place && any) jobs::write_run_report(folder, results);
   });
-  std::vector<std::shared_ptr<Test>> tests;
+  const auto own = std::make_shared<const Recipe>(recipe);
+  Tests tests;
   for (std::size_t i = 0; i < results.size(); ++i)
-    tests.push_back(std::make_shared<Test>(Test{std::move(results[i]), specimens[i]}));
+    tests.push_back(std::make_shared<Test>(Test{std::move(results[i]), own, specimens[i]->packing}));
   return tests;
 }
 
@@ -275,102 +208,9 @@ py::list contact_laws() {
   return laws;
 }
 
-using SpecimenClass = py::class_<Test, std::shared_ptr<Test>>;
-
-void add_number(py::module_& m) {
-  py::class_<Number>(m, "Number", "A number of a result, with its unit and the definition used.")
-      .def_readonly("name", &Number::name, R"("ucs", "E_tangent" ...)")
-      .def_readonly("value", &Number::value, "SI; NaN: could not be determined, see note.")
-      .def_readonly("unit", &Number::unit, "Its unit.")
-      .def_readonly("definition", &Number::definition, "How it is read from the test.")
-      .def_readonly("note", &Number::note, "Why there is no value, or what to keep in mind.")
-      .def_readonly("upper_bound", &Number::upper_bound, "The value is one; the note says why.")
-      .def("__float__", [](const Number& n) { return n.value; })
-      .def("__repr__", [](const Number& n) { return n.name + " = " + print_number(n.value) + " " + n.unit; });
-}
-
-/// What it is, and how its test ended.
-void add_outcome(SpecimenClass& specimen) {
-  specimen
-      .def_property_readonly(
-          "name", [](const Test& t) { return t.result.name; }, R"("theta = 30 deg", "intact".)")
-      .def_property_readonly(
-          "theta", [](const Test& t) { return t.result.intact ? std::nan("") : t.result.theta; },
-          "Inclination of the bedding [deg]; NaN of intact rock.")
-      .def_property_readonly(
-          "intact", [](const Test& t) { return t.result.intact; }, "Without bedding.")
-      .def_property_readonly(
-          "status", [](const Test& t) { return to_string(t.result.outcome.status); },
-          R"(How the test ended: "peaked", "not peaked", ... (docs/formats.md, result.json).)")
-      .def_property_readonly(
-          "has_strength", [](const Test& t) { return has_strength(t.result.outcome.status); },
-          "It has found a strength that can be trusted.")
-      .def_property_readonly(
-          "reason", [](const Test& t) { return t.result.outcome.reason; }, "What happened, with numbers.")
-      .def_property_readonly(
-          "advice", [](const Test& t) { return t.result.outcome.advice; },
-          "Which setting to change; empty when all went well.")
-      .def_property_readonly("numbers", &numbers_of, "All numbers of the test by name, as Number.")
-      .def_property_readonly(
-          "hash", [](const Test& t) { return t.result.hash; },
-          "Over the bits of history, cracks and final positions: that of the program.")
-      .def_property_readonly(
-          "n_steps", [](const Test& t) { return t.result.n_steps; }, "Cycles.")
-      .def_property_readonly(
-          "seconds", [](const Test& t) { return t.result.seconds; }, "CPU time [s].")
-      .def("__repr__", [](const Test& t) {
-        return "<phyllite.Specimen " + t.result.name + ", " + to_string(t.result.outcome.status) + ">";
-      });
-}
-
-/// Arrays over the memory of the result.
-void add_series(SpecimenClass& specimen) {
-  specimen
-      .def_property_readonly("columns", &columns_of, "Name, unit and meaning of each column of the history.")
-      .def_property_readonly(
-          "history",
-          [](const py::object& self) {
-            const TestResult& r = self.cast<Test&>().result;
-            return view_of(r.history.rows, history_members(r), self);
-          },
-          "One row per test.history_interval cycles, a field per column: history[\"axial_stress\"].")
-      .def_property_readonly(
-          "cracks",
-          [](const py::object& self) {
-            return view_of(self.cast<Test&>().result.cracks, crack_members(), self);
-          },
-          "One row per broken bond or joint: step, time [s], strain, grain_a, grain_b, mode (0 tension, 1 "
-          "shear), place (0 matrix, 1 bedding), x, y [m], normal_x, normal_y, size [m], energy [J per m].")
-      .def_property_readonly(
-          "discs",
-          [](const py::object& self) {
-            return view_of(self.cast<Test&>().specimen->packing->discs, disc_members, self);
-          },
-          "The discs of the packing before the test: x, y, r [m], from the lower left corner.")
-      .def_property_readonly(
-          "grains",
-          [](const py::object& self) {
-            return view_of(last_state(self.cast<Test&>()).grains, grain_members, self);
-          },
-          "How far the discs have moved at the end: ux, uy [m], rotation [rad].")
-      .def_property_readonly(
-          "contacts",
-          [](const py::object& self) {
-            return view_of(last_state(self.cast<Test&>()).contacts, contact_members(), self);
-          },
-          "Contacts at the end: grain_a, grain_b, kind (0 touching, 1 bonded, 2 joint), broken, F_n, F_s "
-          "[N/m], normal_x, normal_y.");
-}
-
 }  // namespace
 
 void add_runs(py::module_& m) {
-  add_number(m);
-  SpecimenClass specimen(m, "Specimen", R"(A specimen after its test.
-
-Arrays lie in the memory of the result: nothing is copied, nothing can be written to. SI units; compression
-and shortening positive.)");
-  add_outcome(specimen), add_series(specimen);
   m.def("run", &run, py::arg("recipe"), py::arg("folder"), py::arg("replace"), py::arg("threads"),
         py::arg("progress"));
   m.def("elastic", &elastic, py::arg("recipe"), py::arg("glued"), py::arg("modulus_loss"), py::arg("threads"),

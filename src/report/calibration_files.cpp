@@ -48,6 +48,7 @@ Json rows_json(const std::vector<Comparison>& rows) {
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
     if (t.confining > 0.0) list.back()["confining [Pa]"] = t.confining;
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
+    if (!c.missing.empty()) list.back()["missing"] = c.missing;
     if (c.failure.n_tests > 0) list.back()["failure"] = failure_json(c.failure);
   }
   return list;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "report/palette.hpp"
+
 namespace phy::report {
 namespace {
 
@@ -51,6 +53,7 @@ Json series_json(const Series& s) {
           {"mark", marks.at(static_cast<std::size_t>(s.mark))},
           {"role", roles.at(static_cast<std::size_t>(s.role))},
           {"number", s.number},
+          {"color", hex_color(paper_color(s.role, s.number, s.shade))},
           {"shade", number_json(s.shade)},
           {"strong", s.strong},
           {"right", s.right},

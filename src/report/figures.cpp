@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/check.hpp"
+#include "base/option.hpp"
 #include "base/spelling.hpp"
 #include "base/text_table.hpp"
 #include "report/calibration_figures.hpp"
@@ -87,8 +88,8 @@ const FigureKind& figure_kind(const std::string& word) {
   constexpr std::string_view of_table[] = {"UCS", "ucs", "BTS", "bts", "DTS", "dts", "E", "nu", "theta"};
   const bool is_of_table = std::find(std::begin(of_table), std::end(of_table), word) != std::end(of_table);
   const std::string near = is_of_table ? "anisotropy" : nearest(word, names);
-  throw InputError(Problem{"command line", "--kind", word, "one of " + list,
-                           near.empty() ? "" : "did you mean " + near + "?"});
+  throw InputError(
+      option_problem("kind", word, "one of " + list, near.empty() ? "" : "did you mean " + near + "?"));
 }
 
 std::string figure_script(const FigureKind& kind, const FigureData& data, FigureFormat format, double width,

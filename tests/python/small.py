@@ -1,4 +1,5 @@
 """What the tests share: a specimen of a few hundred discs, and the program."""
+import importlib.util
 import os
 import pathlib
 import subprocess
@@ -32,6 +33,11 @@ TABLE = """theta [deg],E [GPa],nu,UCS [MPa],n
 60,21.0,0.5,45,3
 90,48,0.25,128,3
 """
+
+
+def has(module):
+    """Whether Debian's package of it is there."""
+    return importlib.util.find_spec(module) is not None
 
 
 def program(*arguments):

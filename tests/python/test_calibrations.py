@@ -2,10 +2,11 @@
 import inspect
 import json
 import pathlib
+import pickle
 import threading
 
 import phyllite
-from small import LEAST, TABLE, program, write
+from small import LEAST, TABLE, has, program, write
 from test_recipes import InFolder
 from test_runs import interrupt
 
@@ -41,9 +42,27 @@ class Calibrations(InFolder):
         self.assertIn(found.verdict.sentence, " ".join(text.split()))
         for row in found.table:
             self.assertAlmostEqual(row.error, row.model / row.laboratory - 1)
+        loaded = phyllite.load(self.at("its"))
+        self.assertEqual((loaded.to_dict(), loaded.recipe, loaded.ensemble), (found.to_dict(), found.recipe, found.ensemble))
+        self.assertEqual([str(p) for p in loaded.parameters], [str(p) for p in found.parameters])
+        self.assertEqual(str(loaded.verdict), str(found.verdict))
+        self.assertEqual(pickle.loads(pickle.dumps(loaded)).to_dict(), found.to_dict())
+        self.assertIn(found.verdict.lines[0].split(":")[0], loaded._repr_html_())
+        if has("matplotlib") and has("pandas"):
+            self.shows_its_table(found, loaded)
+        loaded.save(self.at("copied"))
+        self.assertEqual(self.read("copied", "calibration.json"), self.read("its", "calibration.json"))
         found.save(self.at("saved"))
         self.assertEqual(self.read("saved", "calibrated.toml"), self.read("its", "calibrated.toml"))
         self.assertIn("<html", self.read("saved", "report.html"))
+
+    def shows_its_table(self, found, loaded):
+        means = [row.laboratory * 1e-9 for row in found.table if row.property == "E"]
+        shown = {round(float(y), 3) for line in loaded.plot().axes[0].get_lines() for y in line.get_ydata()}
+        self.assertLessEqual({round(mean, 3) for mean in means}, shown)
+        in_lab_units = phyllite.frame(found.table, units="lab")
+        self.assertEqual(list(in_lab_units["unit"])[0], "GPa")
+        self.assertAlmostEqual(in_lab_units["laboratory"][0], 17.5)
 
     def test_interrupted_and_resumed_it_ends_with_the_identical_result(self):
         rock = phyllite.Rock.from_csv(write(self.at("table.csv"), TABLE), name="rock",

@@ -2,14 +2,18 @@
 import ast
 import contextlib
 import inspect
+import os
 import pathlib
 import re
+import subprocess
+import sys
 import unittest
 import unittest.mock
+import zipfile
 
 import phyllite
 from phyllite import Recipe, _core, theory
-from small import SOURCE, SPECIMEN, TABLE, program, write
+from small import SOURCE, SPECIMEN, TABLE, has, program, write
 from test_recipes import InFolder
 
 here = pathlib.Path(phyllite.__file__).parent
@@ -74,6 +78,19 @@ class Package(InFolder):
 
     def test_version_is_that_of_the_program(self):
         self.assertEqual("phyllite " + phyllite.__version__, program("--version")[1].strip())
+
+    @unittest.skipUnless(has("pip") and has("wheel"), "python3-pip, python3-setuptools and python3-wheel are missing")
+    def test_a_wheel_holds_the_package(self):
+        build = here.parents[1]
+        done = subprocess.run([sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--wheel-dir",
+                               self.at("wheel"), str(SOURCE)], env={**os.environ, "PHY_BUILD": str(build)},
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        wheel, = pathlib.Path(self.at("wheel")).glob("phyllite-*.whl")
+        self.assertIn(phyllite.__version__.split("-")[0], wheel.name)
+        with zipfile.ZipFile(wheel) as packed:
+            names = {pathlib.PurePath(name).name for name in packed.namelist() if name.startswith("phyllite/")}
+        self.assertEqual(names, {path.name for path in here.iterdir() if path.is_file()})
 
     def test_the_page_and_the_package_say_nothing_that_does_not_run(self):
         page = (SOURCE / "docs/python.md").read_text()

@@ -140,7 +140,7 @@ class Rocks(InFolder):
         except ImportError:
             self.skipTest("pandas is missing")
         table = phyllite.frame(rock.targets)
-        self.assertEqual(list(table.columns), ["property", "theta", "mean", "sd", "n", "confining", "diameter"])
+        self.assertEqual(list(table.columns), ["property", "theta", "mean", "sd", "n", "confining", "diameter", "unit"])
         self.assertEqual(len(table), 12)
         self.assertEqual(table[table["property"] == "UCS"]["mean"].tolist(), [105e6, 60e6, 45e6, 128e6])
 

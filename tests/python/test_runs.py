@@ -1,17 +1,21 @@
 """Tests under the press: the same bits as the program, arrays without copies, Ctrl-C, the free interpreter lock."""
+import copy
 import csv
 import gc
 import json
+import multiprocessing
 import os
 import pathlib
+import pickle
 import signal
 import threading
 import time
+import unittest
 
 import numpy as np
 
 import phyllite
-from small import KEYS, TEXT, program, write
+from small import KEYS, TABLE, TEXT, has, program, write
 from test_recipes import InFolder
 
 
@@ -139,6 +143,63 @@ class Runs(InFolder):
         with self.assertRaisesRegex(TypeError, "study: expected the name of a study file"):
             phyllite.study(3, self.at("study"))
 
+    def test_a_folder_is_the_result_again(self):
+        made = phyllite.run(self.recipe, self.at("out"))
+        back = phyllite.load(self.at("out"))
+        self.assertEqual(back.recipe, made.recipe)
+        for mine, its in zip(made, back):
+            self.assertEqual((mine.name, mine.hash, mine.status), (its.name, its.hash, its.status))
+            for array in ("history", "cracks", "discs"):
+                np.testing.assert_array_equal(getattr(mine, array), getattr(its, array))
+            self.assertEqual({n: v.value for n, v in mine.numbers.items() if v.value == v.value},
+                             {n: v.value for n, v in its.numbers.items() if v.value == v.value})
+        with self.assertRaisesRegex(phyllite.IoError, "no last state"):
+            back[0].grains
+        os.rename(self.at("out/intact"), self.at("intact"))
+        with self.assertWarnsRegex(UserWarning, "intact: no result"):
+            self.assertEqual(len(phyllite.load(self.at("out"))), 2)
+        with self.assertRaisesRegex(phyllite.IoError, "nowhere"):
+            phyllite.load(self.at("nowhere"))
+
+    def test_results_travel_to_another_process(self):
+        sent = pickle.loads(pickle.dumps(self.result))
+        self.assertEqual(sent.recipe, self.result.recipe)
+        for mine, its in zip(self.result, sent):
+            self.assertEqual((mine.name, mine.hash, mine.reason, mine.numbers["ucs"].definition),
+                             (its.name, its.hash, its.reason, its.numbers["ucs"].definition))
+            for array in ("history", "cracks", "discs", "grains", "contacts"):
+                np.testing.assert_array_equal(getattr(mine, array), getattr(its, array))
+        rock = phyllite.Rock.from_csv(write(self.at("table.csv"), TABLE), recipe=self.recipe)
+        self.assertEqual(copy.deepcopy(rock).targets, rock.targets)
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            there = pool.map(phyllite.run, [self.recipe.changed(test={"angles": ["45 deg"], "intact": False})])
+        self.assertEqual(there[0][0].hash, self.result[0].hash)
+
+    @unittest.skipUnless(has("matplotlib"), "python3-matplotlib is missing")
+    def test_charts_show_the_numbers_of_the_result(self):
+        drawn = self.result.plot("stress_strain")
+        highest = max(max(line.get_ydata()) for line in drawn.axes[0].get_lines() if len(line.get_ydata()) > 9)
+        self.assertAlmostEqual(highest, max(s.history["axial_stress"].max() for s in self.result) * 1e-6, 4)
+        over_angle = self.result.plot("anisotropy", rock=phyllite.Rock.from_csv(write(self.at("t.csv"), TABLE)))
+        self.assertIn("laboratory", " ".join(t.get_text() for t in over_angle.legends[0].get_texts()))
+        for kind in ("damage", "modes", "rose"):
+            self.assertGreaterEqual(len(self.result.plot(kind).axes), 1)
+        with self.assertRaisesRegex(phyllite.InputError, "^kind = strength: expected a chart of a run"):
+            self.result.plot("strength")
+        with self.assertRaisesRegex(phyllite.InputError, "^kind = UCS: .*did you mean anisotropy"):
+            self.result[0].plot("UCS")
+
+    @unittest.skipUnless(has("pandas"), "python3-pandas is missing")
+    def test_laboratory_units_are_the_same_numbers(self):
+        mine, its = phyllite.frame(self.result), phyllite.frame(self.result, units="lab")
+        np.testing.assert_allclose(its["ucs [MPa]"] * 1e6, mine["ucs [Pa]"])
+        np.testing.assert_allclose(its["E_tangent [GPa]"] * 1e9, mine["E_tangent [Pa]"])
+        curve = phyllite.frame(self.result[0], units="lab")
+        np.testing.assert_allclose(curve["axial_strain [%]"], 100 * self.result[0].history["axial_strain"])
+        self.assertIn("<td>theta = 45 deg</td>", self.result._repr_html_())
+        with self.assertRaisesRegex(ValueError, "laboratory|lab"):
+            phyllite.frame(self.result, units="imperial")
+
     def test_names_are_found_whatever_their_capitals(self):
         np.testing.assert_array_equal(self.result.values("UCS"), self.result.values("ucs"))
         self.assertEqual(self.result["INTACT"].name, "intact")
@@ -216,6 +277,10 @@ class Studies(InFolder):
         self.assertEqual(len(found.table), 18)
         self.assertEqual({row["bedding.k_n [Pa/m]"] for row in found.table}, {1680e9, 3360e9, 6720e9})
         self.assertEqual(phyllite.study(path, self.at("again")).hash, found.hash)
+        back = phyllite.load(self.at("its"))
+        self.assertEqual((back.hash, back.text, len(back.table)), (found.hash, found.text, len(found.table)))
+        if has("matplotlib"):
+            self.assertGreaterEqual(len(back.plot("modulus").axes), 1)
 
     def test_ctrl_c_keeps_what_is_finished_and_the_same_call_goes_on(self):
         # One packing after the other: the last are far from done when the first is, also where news comes late.
