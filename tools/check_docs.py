@@ -18,9 +18,10 @@ READ_THROUGH = ("README.md", "docs/calibration.md", "docs/tutorials/")
 # Written by the program or from stored results: their words are the program's, so only tables and links are looked at.
 GENERATED = ("docs/reference.md", "docs/rocks.md", "docs/boryeong.md", "docs/reliability-tables.md", "docs/status.md", "docs/tables.md", "docs/verification.md")
 # Not held to the rules of sentences: decisions, with the measurements of their day; the map of the code.
-RECORDS = ("docs/decisions/", "CHANGELOG.md", "docs/architecture.md")
+RECORDS = ("CHANGELOG.md",)
 EVASIONS = re.compile(r"\b(?:that|those) of\b|\bthe (?:latter|former) of\b", re.I)
-PLACE = re.compile(r"`((?:src|tests|tools|examples|data|bench|measured|packaging|docs)/[\w./-]+)`")
+ROOMS = "|".join(sorted(p.name for p in (ROOT / "src").iterdir() if p.is_dir()))
+PLACE = re.compile(rf"`((?:src|tests|tools|examples|data|bench|measured|packaging|docs|{ROOMS})/[\w./-]+)`")
 MONTHS = "January|February|March|April|May|June|July|August|September|October|November|December"
 DATE = re.compile(rf"\b\d{{1,2}} (?:{MONTHS})\b|\b20\d\d-\d\d-\d\d\b")
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?(?![\w])")
@@ -170,8 +171,7 @@ def problems_of_places(page):
     if page.name.startswith("CHANGELOG"):
         return
     for line, place in page.places:
-        path = ROOT / place
-        if "NAME" not in place and not path.exists() and not any(path.parent.glob(path.name + ".*")):
+        if "NAME" not in place and not any(p.exists() or any(p.parent.glob(p.name + ".*")) for p in (ROOT / place, ROOT / "src" / place)):
             yield line, f"no such file: {place}"
 
 
