@@ -160,12 +160,12 @@ record: build
 paper evidence reliability: program
 	python3 tools/reproduce.py $@ $(BUILD)/phyllite
 
-# What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. What the tables have is kept;
+# What models of rock reach: data/maps, which the program takes in, and docs/reach-tables.md. What the tables have is kept;
 # without any some three and a half hours of CPU.
 maps: build
 	@mkdir -p results
 	$(BUILD)/maps data/maps results/maps.sqlite
-	python3 tools/maps.py data/maps docs/theory/reach.md
+	python3 tools/maps.py data/maps docs/reach-tables.md
 
 # Measured rocks: data/rocks/NAME/card.json and calibrated.toml, docs/rocks.md, docs/boryeong.md, measured/rocks.csv. What is finished in
 # results/rocks is kept. The program takes the cards in, so that it is built again.
