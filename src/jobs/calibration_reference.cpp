@@ -20,14 +20,14 @@ namespace {
 
 constexpr const char* head = R"(# Tables of a calibration
 
-Written by `phyllite calibrate --reference` from the lists that the program works by. The [guide](calibration.md)
-says how to decide, [theory](theory/calibration.md) why.
+Written by `phyllite calibrate --reference` from the lists that the program works by. How to decide: the
+[guide](calibration.md). Why: [theory](theory/calibration.md).
 
 ## Parameters
 
-A parameter is sought by its logarithm, in its box. Where nothing is known beside the table it is flat there. Else
-a [prior](theory/inference.md#strengths-one-scale-a-few-ratios) holds it near its usual value, with `sd` in the
-logarithm. "Models" names what must be in the model.
+A parameter is sought by its logarithm, in its box. Where only the table speaks, it is flat there. Else
+a [prior](theory/inference.md#strengths-one-scale-a-few-ratios) holds it near its usual value; `sd` is its
+standard deviation in the logarithm. "Models" names what must be in the model.
 
 | sought | key of the recipe | from | to | usual | sd | in multiples of | models |
 |---|---|---|---|---|---|---|---|
@@ -36,7 +36,7 @@ logarithm. "Models" names what must be in the model.
 constexpr const char* models_head = R"(
 ## Models of rock
 
-What `layers` and `matrix` of a rock file choose from. A model that contains another must predict clearly better.
+What `layers` and `matrix` of a rock file choose from. A model that contains another must predict better.
 
 | `layers` | `matrix` | model | contains |
 |---|---|---|---|

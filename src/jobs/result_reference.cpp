@@ -19,8 +19,8 @@ Written by `phyllite run --reference` from the lists that the program works by. 
 
 ## Measures of quality
 
-Beyond the first limit a test carries a warning, beyond the second it is untrusted. `of` names single numbers that
-a measure speaks of. [When to believe a number](reliability.md) says where the limits come from.
+Beyond the first limit a test carries a warning, beyond the second it is untrusted. `of` names single numbers
+that a measure speaks of. [When to believe a number](reliability.md) says where the limits come from.
 
 | measure | what it is | warning | untrusted | of | what is wrong | what to do |
 |---|---|---|---|---|---|---|
@@ -29,7 +29,8 @@ a measure speaks of. [When to believe a number](reliability.md) says where the l
 constexpr const char* columns_head = R"(
 ## Columns of a history
 
-Of `history.csv`. The unit stands in the header: `axial_stress [Pa]`. Compression and shortening are positive. `all` means every test.
+Of `history.csv`. The unit stands in the header: `axial_stress [Pa]`. Compression and shortening are positive.
+`all` means every test.
 
 | column | unit | of | meaning |
 |---|---|---|---|

@@ -299,22 +299,21 @@ std::string recipe_comments(const Calibration& c) {
                           parameter_text(e.high, e.unit));
     else
       known.push_back(comment_text(e.symbol));
-  text +=
-      c.method == CalibrationMethod::sequence
-          ? "Found step by step, as the paper does: no intervals, nothing said of what the data leave open.\n"
-      : open.empty() && known.empty() ? "No parameter was fitted.\n"
-      : open.empty()                  ? "The data constrain what was fitted: " + list_text(known) + ".\n"
-                     : "The data do not constrain (within the values that the calibration admits):\n" + open;
+  text += c.method == CalibrationMethod::sequence
+              ? "Found step by step, as the paper does: no intervals, and no word on open parameters.\n"
+          : open.empty() && known.empty() ? "No parameter was fitted.\n"
+          : open.empty()
+              ? "The data constrain what was fitted: " + list_text(known) + ".\n"
+              : "The data do not constrain (within the values that the calibration admits):\n" + open;
   return as_comments(text);
 }
 
 std::string draw_comments(const Calibration& c, std::size_t number) {
-  return as_comments(fmt::format(
-      "{}: draw {} of {}. Moduli and strengths are one of many sets that the table leaves possible, on a "
-      "packing of their own; a single one is no estimate: `--ensemble` runs all of them "
-      "(docs/calibration.md, "
-      "\"Ensemble\"). The calibration says:\n{}\n",
-      comment_text(c.rock), number, c.ensemble.size(), comment_text(verdict_words(c))));
+  return as_comments(
+      fmt::format("{}: draw {} of {}. Moduli and strengths are one of many sets that the table allows, on a "
+                  "packing of their own. A single draw is no estimate: `--ensemble` runs all of them "
+                  "(docs/calibration.md, \"Ensemble\"). The calibration says:\n{}\n",
+                  comment_text(c.rock), number, c.ensemble.size(), comment_text(verdict_words(c))));
 }
 
 std::string yade_script(const Recipe& r) {
