@@ -101,7 +101,8 @@ void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::Cal
 
 void add_calibrate_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<jobs::CalibrationRequest>();
-  CLI::App* verb = app.add_subcommand("calibrate", "micro-parameters from a laboratory table");
+  CLI::App* verb = app.add_subcommand(
+      "calibrate", "calibrate a model from a laboratory table: parameters with intervals, and a verdict");
   verb->add_option("rock", args->rock, "rock file (TOML)")->required()->type_name("FILE");
   for (const jobs::CalibrationOption& option : jobs::calibration_options()) add_option(*verb, option, *args);
   add_reference(*verb, jobs::calibration_reference,
