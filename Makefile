@@ -2,7 +2,8 @@
 # make deps-all  also what no test is left out without       make test     build and run all tests
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
-# make docs      the documents as a searchable site          make web      bundle the pages anew
+# make docs      the documents as a searchable site          make pictures those of gallery and README
+# make web       bundle the pages anew
 # make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (100 minutes of CPU, resumed)
 # make lint      format, floors, functions, comments         make tidy     clang-tidy
 # make sanitize  tests under the sanitizers                  make coverage lines that the tests run, room by room
@@ -159,12 +160,12 @@ record: build
 paper evidence reliability: program
 	python3 tools/reproduce.py $@ $(BUILD)/phyllite
 
-# What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. What the tables have is kept;
+# What models of rock reach: data/maps, which the program takes in, and docs/reach-tables.md. What the tables have is kept;
 # without any some three and a half hours of CPU.
 maps: build
 	@mkdir -p results
 	$(BUILD)/maps data/maps results/maps.sqlite
-	python3 tools/maps.py data/maps docs/theory/reach.md
+	python3 tools/maps.py data/maps docs/reach-tables.md
 
 # Measured rocks: data/rocks/NAME/card.json and calibrated.toml, docs/rocks.md, docs/boryeong.md, measured/rocks.csv. What is finished in
 # results/rocks is kept. The program takes the cards in, so that it is built again.
@@ -184,10 +185,16 @@ yade: program
 docs: deps-docs build
 	for of in recipe study rock; do $(BUILD)/phyllite $$of --reference || exit 1; done > docs/reference.md
 	$(BUILD)/phyllite rock --tables > docs/tables.md
+	$(BUILD)/phyllite calibrate --reference > docs/calibration-tables.md
+	$(BUILD)/phyllite run --reference > docs/result-tables.md
 	$(BUILD)/phyllite verify --markdown > docs/verification.md
 	python3 tools/status.py
 	@sphinx-build -q -W --keep-going -b html -c docs/site -d build/doctrees docs build/site
 	@echo "docs: build/site/index.html, for any browser, without a network"
+
+# Pictures of the gallery and the README from tests of their own, the moving one from results/rocks; `make paper` draws its own.
+pictures: program
+	@python3 tools/pictures.py $(BUILD)/phyllite
 
 # The pages of report.html and of phyllite gui, bundled from web/src: both are committed, so that building needs no node.
 web:

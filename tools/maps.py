@@ -1,8 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/theory/reach.md anew from data/maps (make maps).
-
-Usage: maps.py DATA PAGE. What stands between the two marks of the page is replaced.
-"""
+"""Writes docs/reach-tables.md from data/maps (make maps).   Usage: maps.py DATA PAGE"""
 import csv
 import math
 import pathlib
@@ -11,7 +8,11 @@ import sys
 
 from results_csv import table
 
-BEGIN, END = "<!-- tables of tools/maps.py -->", "<!-- end of tables -->"
+HEAD = """# Tables of the maps
+
+Written by `tools/maps.py` from `data/maps` (`make maps`). [What models of rock reach](theory/reach.md) explains them.
+
+"""
 ANGLES = (0, 15, 30, 45, 60, 75, 90)
 DENSE = 1321
 ISOTROPIC = {"parallel-bond": "parallel bonds", "flat-joint": "flat joints"}
@@ -140,7 +141,7 @@ def layered_line(label, rows):
 
 
 def page_tables(data):
-    text = "### Isotropic rock\nSensible points; 5 % / median / 95 % of means over five packings.\n\n"
+    text = "## Isotropic rock\nSensible points; 5 % / median / 95 % of means over five packings.\n\n"
     lines, by_lever, densities, sizes = [], [], [], []
     for name, label in ISOTROPIC.items():
         rows = rows_of(data / f"{name}.csv")
@@ -158,7 +159,7 @@ def page_tables(data):
     text += "\nUCS of the dense packing over UCS of the loose one, the same micro-parameters, 5 % / median / 95 %:\n\n" + "".join(f"- {d}\n" for d in densities)
     text += "\nThe base recipe (tau_c = sigma_c = 50 MPa with 10 %, moment contribution 1) in grains of other sizes, the same specimen. Means of five packings and their standard errors.\n\n"
     text += table(["", "discs", "grains across", "UCS/sigma_c", "DTS/sigma_c", "BTS/sigma_c", "first crack in the central third"], sizes)
-    text += "\n### Layered rock\nExtent over sensible points (how many), every point on one of five packings.\n\n"
+    text += "\n## Layered rock\nExtent over sensible points (how many), every point on one of five packings.\n\n"
     lines = []
     for name, label in LAYERED.items():
         rows = rows_of(data / f"{name}.csv")
@@ -174,9 +175,7 @@ def page_tables(data):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    page = pathlib.Path(sys.argv[2])
-    before, rest = page.read_text().split(BEGIN)
-    page.write_text(before + BEGIN + "\n" + page_tables(pathlib.Path(sys.argv[1])) + END + rest.split(END)[1])
+    pathlib.Path(sys.argv[2]).write_text(HEAD + page_tables(pathlib.Path(sys.argv[1])))
 
 
 main()

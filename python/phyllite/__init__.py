@@ -106,7 +106,7 @@ def _is_path(value: Any) -> bool:
 
 
 def _recipe(value: Any, function: str) -> Recipe:
-    """A recipe, or that of a file."""
+    """A recipe, or the name of its file."""
     if isinstance(value, _core.Recipe):
         return value
     if _is_path(value):
@@ -289,7 +289,7 @@ _with_keys(Rock.from_dataframe, "rock")
 
 
 def _rock(value: Any, function: str) -> Rock:
-    """A rock, or that of a file."""
+    """A rock, or the name of its file."""
     if isinstance(value, Rock):
         return value
     if _is_path(value):
@@ -367,9 +367,10 @@ def run(recipe: Union[Recipe, Path], out: Optional[Path] = None, *, replace: boo
         progress: ProgressFunction = None) -> Result:
     """Runs the laboratory test of a recipe on all its specimens.
 
-    recipe: a Recipe, or the name of its file. out: a folder that is filled as `phyllite run` fills it, each specimen as soon as it is finished; after Ctrl-C
-    they are kept there. replace: results of another recipe are removed from it. The numbers and hashes are those of
-    the program, whatever the number of threads. Raises InputError, IoError.
+    recipe: a Recipe, or the name of its file.
+    out: a folder that is filled as `phyllite run` fills it. Finished specimens are kept there after Ctrl-C.
+    replace: results of another recipe are removed from it.
+    Numbers and hashes are the program's, whatever the number of threads. Raises InputError, IoError.
     """
     recipe = _recipe(recipe, "run")
     tests = _core.run(recipe, _text(out), replace, threads, _reporter(progress))
@@ -586,7 +587,7 @@ class Verdict:
 
 
 class Calibration:
-    """What a calibration has found; str() of it is what the command prints."""
+    """The result of a calibration; str() of it is the output of the command."""
 
     def __init__(self, content: str, recipe: Recipe, ensemble: List[Recipe], text: str, folder: str = "",
                  record: Any = None):
@@ -620,7 +621,7 @@ class Calibration:
 
     @property
     def table(self) -> List[Comparison]:
-        """Laboratory beside model: on unseen packings where there are some, else on those of the fit."""
+        """Laboratory beside model: on unseen packings where there are some, else on packings of the fit."""
         return self.verification or self.fitted
 
     def to_dict(self) -> Dict[str, Any]:
@@ -661,8 +662,9 @@ def calibrate(rock: Union[Rock, Path], out: Optional[Path] = None, *, threads: i
               progress: ProgressFunction = None, **options: Any) -> Calibration:
     """Micro-parameters from a laboratory table, verified on unseen packings, with a verdict (docs/calibration.md).
 
-    rock: a Rock, or the name of its file. out: a folder as `phyllite calibrate` leaves it; every test is kept there as
-    soon as it is finished, and after Ctrl-C the same call with resume=True goes on. Without it nothing is kept.
+    rock: a Rock, or the name of its file.
+    out: a folder as `phyllite calibrate` leaves it. Finished tests are kept there, and after Ctrl-C the same call
+    with resume=True goes on. Without it nothing is kept.
     """
     given = {name: value for name, value in options.items() if value is not None}
     _inspect.signature(calibrate).bind(rock, out, **given)  # an argument that there is not
@@ -754,8 +756,10 @@ def contact_laws() -> List[ContactLaw]:
 def contact(law: str, path: Any = None, *, steps: int = 100, **parameters: Any) -> _np.ndarray:
     """Drives one contact along a path, as `phyllite contact`: contact("smooth_joint", k_n="1e10 N/m").
 
-    path: corners (closure [m], slide [m], rotation [rad]) as rows of numbers, or as texts "1 um, 8 um, 0 deg"; None:
-    one that shows everything. steps: from corner to corner. parameters: values with units; contact_laws() lists them.
+    path: corners (closure [m], slide [m], rotation [rad]) as rows of numbers, or as texts "1 um, 8 um, 0 deg".
+    None: a path that shows everything.
+    steps: from corner to corner.
+    parameters: values with units; contact_laws() lists them.
 
     An array of rows: closure, slide [m], rotation [rad], F_n, F_s [N/m], M [N], the closed form's F_n_exact,
     F_s_exact, M_exact, dissipated, released, stored [J/m], broke (1 tension, 2 shear).

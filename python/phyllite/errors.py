@@ -6,7 +6,7 @@ from typing import List, NamedTuple
 
 
 class Problem(NamedTuple):
-    """One thing wrong with what was given."""
+    """One thing wrong with the input."""
 
     where: str  #: "rock.csv:3", or the function; empty: key is an argument
     key: str  #: "matrix.E_c"

@@ -87,10 +87,10 @@ void place(const LoadingBranch& branch, double E, double nu, Number& n) {
 Number crack_initiation_by_strain(const LoadingBranch& branch) {
   Number n{
       "sigma_ci_strain", nan, "Pa",
-      fmt::format("{} where the crack volumetric strain (axial + 2 lateral strain of the gauge, less (1 - 2 "
-                  "nu)/E times the stress; E, nu between 10 and 25 % of {}) leaves its level for good, "
-                  "before the {}: falls by more than 3 standard errors and 0.5 % of {}/E",
-                  branch.stress, branch.strength, branch.turn(), branch.strength),
+      fmt::format("{} where the crack volumetric strain leaves its level for good, before the {}: it falls "
+                  "by more than 3 standard errors and 0.5 % of {}/E. It is axial + 2 lateral strain of the "
+                  "gauge, less (1 - 2 nu)/E times the stress, with E and nu between 10 and 25 % of {}",
+                  branch.stress, branch.turn(), branch.strength, branch.strength),
       branch_note(branch)};
   if (!branch.peaked) return n;
   const Number E = tangent_modulus(branch, elastic_range, StrainFrom::gauge, "E");

@@ -115,12 +115,12 @@ double rise_time(const LoadingBranch& branch) {
 
 /// A wave of speed sqrt(E/rho), with E of the peak's stress and strain: the softest that the rock has been.
 Number wave_transits(const LoadingBranch& branch, const WavePath& path) {
-  Number n{"wave_transits", nan, "1",
-           fmt::format(
-               "times that a wave of speed sqrt(E/density), E secant at {}, crosses the specimen within the "
-               "rise of the strain to that of the peak, at the strain rate of its second half",
-               branch.strength),
-           branch_note(branch)};
+  Number n{
+      "wave_transits", nan, "1",
+      fmt::format("crossings of a wave through the specimen in the time until the peak, at the strain rate "
+                  "of its second half. The wave has the speed sqrt(E/density), with the secant E at {}",
+                  branch.strength),
+      branch_note(branch)};
   if (path.density > 0.0 && path.length > 0.0 && branch.peaked)
     n.value = rise_time(branch) / path.length *
               std::sqrt(path.modulus_factor * branch.largest / branch.strain / path.density);

@@ -133,8 +133,7 @@ std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vec
 
 Number crack_damage(const LoadingBranch& branch) {
   Number n{"sigma_cd", nan, "Pa",
-           fmt::format("{} where the volumetric strain of two dimensions, that of the area (axial + lateral, "
-                       "gauge), is largest, before the {}",
+           fmt::format("{} where the strain of the area (axial + lateral, gauge) is largest, before the {}",
                        branch.stress, branch.turn()),
            branch_note(branch)};
   place_turn(branch, 1.0, n);

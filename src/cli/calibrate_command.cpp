@@ -9,6 +9,7 @@
 #include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
 #include "jobs/calibration_job.hpp"
+#include "jobs/calibration_reference.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
 #include "report/words.hpp"
@@ -100,9 +101,12 @@ void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::Cal
 
 void add_calibrate_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<jobs::CalibrationRequest>();
-  CLI::App* verb = app.add_subcommand("calibrate", "micro-parameters from a laboratory table");
+  CLI::App* verb = app.add_subcommand(
+      "calibrate", "calibrate a model from a laboratory table: parameters with intervals, and a verdict");
   verb->add_option("rock", args->rock, "rock file (TOML)")->required()->type_name("FILE");
   for (const jobs::CalibrationOption& option : jobs::calibration_options()) add_option(*verb, option, *args);
+  add_reference(*verb, jobs::calibration_reference,
+                "print the tables of parameters, models, efforts, packings and keys");
   verb->callback([args, &session] { session.exit_code = run_calibration(*args, session); });
 }
 

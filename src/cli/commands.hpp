@@ -24,6 +24,17 @@ inline CLI::Validator within(double low, double high) {
           range};
 }
 
+/// `--reference`, which prints a page and ends, whatever else the verb requires.
+inline void add_reference(CLI::App& verb, std::string (*page)(), const char* meaning) {
+  verb.add_flag_callback(
+      "--reference",
+      [page] {
+        const std::string text = page();
+        throw CLI::CallForVersion(text.substr(0, text.rfind('\n')), 0);  // the parser ends the line itself
+      },
+      meaning);
+}
+
 /// Registers a verb of the program.
 using AddVerb = void(CLI::App& app, Session& session);
 AddVerb add_run_command, add_specimen_command, add_verify_command, add_recipe_command, add_contact_command,

@@ -65,9 +65,9 @@ void print_moduli(const study::ElasticStudy& study, int width) {
                             of("seconds", "", [](R r, R b) { return fixed(r.seconds + b.seconds, 2); })};
   print_out("\n{}", text_table(names_of(study), {pushing, pulling, solution}, width));
   print_wrapped(width, 0,
-                "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull; "
-                "open: contacts that carry nothing beside their bond;\nundec.: contacts without a "
-                "consistent state; loose: grains without load; solut.: factorisations\n");
+                "E, nu: gauge of the middle 60 %, contacts push only. Pulling: contacts also pull. Open: "
+                "contacts that carry nothing beside their bond.\nUndec.: contacts without a consistent "
+                "state. Loose: grains without load. Solut.: factorisations\n");
   if (study.recipe.matrix.gapped_fraction > 0.0)
     print_wrapped(
         width, 0,

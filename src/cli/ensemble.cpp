@@ -232,10 +232,9 @@ void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>
   const auto missing =
       std::count_if(bands.begin(), bands.end(), [](const study::Band& b) { return b.n_without > 0; });
   if (missing > 0)
-    print_wrapped(
-        width, 2,
-        "where draws are \"without\", the band is that of the others: what they have in common may be "
-        "why the number is missing, and no probability holds\n");
+    print_wrapped(width, 2,
+                  "where draws are \"without\", the band holds the others alone, and no probability: a "
+                  "common reason may be why the number is missing\n");
   print_left_out(jobs, width);
 }
 

@@ -117,8 +117,8 @@ std::string knees_text(const study::SpecimenEnvelope& s) {
   std::vector<std::string> stresses;
   for (const double sigma_3 : s.knees) stresses.push_back(fmt::format("{:g}", sigma_3 * 1e-6));
   return fmt::format(
-      "knees (at {} MPa) and peaks in one envelope: a knee lies below the peak that more strain may bring, "
-      "and phi and m_i mix both; raise test.max_strain, or leave these confining stresses out",
+      "knees (at {} MPa) and peaks in one envelope: a knee lies below the peak that more strain may bring. "
+      "phi and m_i mix both. Raise test.max_strain, or leave these confining stresses out",
       fmt::join(stresses, ", "));
 }
 
@@ -138,7 +138,7 @@ void print_fits(const study::Envelope& envelope, int width) {
   print_out("\n{}",
             text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
   print_wrapped(width, 0,
-                "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
+                "+-: standard errors; k: m over m of the planes nearest to across the load (Saroglou & "
                 "Tsiambaos)\n");
   std::vector<std::string> findings;
   for (S s : envelope.specimens)

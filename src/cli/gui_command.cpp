@@ -49,7 +49,7 @@ int run_gui(const GuiArguments& args, const Session& session) {
       "a page to work in, for a browser on this machine; the address is a key: whoever has it can use "
       "the page. Files are in {}\n",
       std::filesystem::current_path().string());
-  print_wrapped(width, 2, "Ctrl-C ends it; what it runs then keeps what is finished\n");
+  print_wrapped(width, 2, "Ctrl-C ends it; its commands keep their finished tests\n");
   flush_out();
   const bool all_answered = server->run(*stop_on_interrupt());
   for (const std::string& folder : api.running())

@@ -114,7 +114,7 @@ int run(int argc, char** argv) {
         throw CLI::CallForVersion(std::string(text.substr(0, text.rfind('\n'))),
                                   0);  // it ends the line itself
       },
-      "print the licences of the program and of what it contains");
+      "print the licences of the program and of its parts");
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

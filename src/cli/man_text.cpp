@@ -13,15 +13,15 @@ const std::vector<ManText>& texts() {
        "Phyllite is a laboratory for layered rock: shale, slate, schist, gneiss. Discs held by parallel "
        "bonds or "
        "flat joints, bedding planes as smooth joints, in two dimensions. It runs laboratory tests on such "
-       "specimens (uniaxial and biaxial compression, direct tension, Brazilian test, direct shear, "
-       "semi-circular bend), and it calibrates their micro-parameters from the table of a laboratory, with "
-       "intervals and a verification on packings that the fit has not seen.\n\n"
+       "specimens: uniaxial and biaxial compression, direct tension, Brazilian test, direct shear, "
+       "semi-circular bend. It calibrates their micro-parameters from the table of a laboratory, with "
+       "intervals, and verifies them on packings that the fit has not seen.\n\n"
        "Recipes, studies and rocks are files in TOML. `phyllite recipe --template` prints a recipe, "
-       "`phyllite recipe --explain KEY` says what a key means, `phyllite rock new` writes the template of a "
+       "`phyllite recipe --explain KEY` explains a key, `phyllite rock new` writes the template of a "
        "table. Every verb has a page of its own.\n\n"
        "Results do not depend on threads, lanes or the instruction set: the program chooses SSE2, AVX2 or "
        "AVX-512 at run time and gives the same bits by each. Ctrl-C lets a verb that runs tests end soon and "
-       "keep what is finished; the second one ends it at once.",
+       "keep finished tests; the second one ends it at once.",
        {{"~/.cache/phyllite",
          "packings that were made before, or in $XDG_CACHE_HOME/phyllite; may be removed at any "
          "time"},
@@ -54,8 +54,7 @@ const std::vector<ManText>& texts() {
         {"The Brazilian test on the specimen of the paper behind this project:",
          "phyllite run examples/lab/brazilian.toml --out results/brazilian"}}},
       {"specimen",
-       "Makes the packing and the bedding of a recipe, says what they are like (porosity, coordination, "
-       "joints, "
+       "Makes the packing and the bedding of a recipe, measures them (porosity, coordination, joints, "
        "bridges), and runs no test.",
        {{"discs.csv", "centre and radius of every disc, which packing.file of a recipe reads"},
         {"contacts_NAME.csv", "per specimen: every contact with kind, gap, stiffnesses, strengths"}},
@@ -136,8 +135,8 @@ const std::vector<ManText>& texts() {
         {"What a measured table determines:", "phyllite rock check data/rocks/augen-gneiss/rock.toml"},
         {"What a key means:", "phyllite rock --explain E_is"}}},
       {"rocks",
-       "Measured rocks that come with the program: table, sources, and what a calibration of each came to on "
-       "packings that it had not seen. Without a name it lists them; with a name it shows the card of "
+       "Measured rocks that come with the program: table, sources, and the errors of a calibration of each "
+       "on unseen packings. Without a name it lists them; with a name it shows the card of "
        "one.\n\n"
        "`phyllite rock check` names the nearest of them to a table, and `phyllite rock new NAME --like ROCK` "
        "begins with the grain size, spacing and model of one.",
@@ -170,9 +169,9 @@ const std::vector<ManText>& texts() {
        "of the "
        "model, or that the calibration was stopped.",
        {{"calibrated.toml", "the calibrated model as a recipe for `phyllite run`"},
-        {"ensemble/", "joint draws of what the table leaves possible, for --ensemble"},
+        {"ensemble/", "joint draws from all models that the table allows, for --ensemble"},
         {"calibration.json, tables.txt", "everything found; what was printed"},
-        {"report.html", "laboratory beside model, verdict, what the data determine"},
+        {"report.html", "laboratory beside model, verdict, determined and open parameters"},
         {"calibrated.p2dat, calibrated-yade.py", "for PFC2D and Yade"},
         {"runs.sqlite", "every test that was run"}},
        {{"Moduli of a synthetic shale:",
@@ -226,8 +225,8 @@ const std::vector<ManText>& texts() {
        "which "
        "is a key: whoever has it can use the page. On it a table is typed or pasted and checked, a rock "
        "calibrated, and tests on the calibrated rock are set up and run. Each button is a command of this "
-       "program, which is shown, and leaves the same files in FOLDER. It runs until it is stopped; what it "
-       "has started is then stopped as by Ctrl-C and can be gone on with.",
+       "program, which is shown, and leaves the same files in FOLDER. It runs until it is stopped. It then "
+       "stops its commands as Ctrl-C does, and they can be resumed.",
        {{"NAME.toml, NAME.csv", "a rock and its table"},
         {"NAME-calibration/, NAME-calibration.log", "its calibration, and what that printed"},
         {"NAME-tests/", "recipes of tests on the calibrated rock, and their results"}},
@@ -267,8 +266,8 @@ const std::vector<ManEntry>& exit_codes() {
   static const std::vector<ManEntry> all = {
       {"0", "all well"},
       {"1",
-       "a test did not succeed (no peak, unstable, untrusted), a check or comparison failed, or a verdict is "
-       "out of reach; or a signal stopped the verb, and finished tests are kept"},
+       "a test did not succeed (no peak, unstable, untrusted), a check or comparison failed, a verdict is "
+       "out of reach, or a signal stopped the verb"},
       {"2", "the input cannot be used; every problem is reported before anything runs"},
       {"3", "a file cannot be read or written, or standard output could not take everything"},
       {"4", "an error of the program itself"}};

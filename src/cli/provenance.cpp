@@ -17,8 +17,8 @@ void tell_others(std::map<std::string, std::size_t> programs, int terminal_width
   programs.erase(phy::program);
   for (const auto& [program, n] : programs)
     print_wrapped(terminal_width, 2,
-                  "{} result(s) were made by {}, this is {}: their numbers need not agree with those of this "
-                  "version; run them into another folder to compare\n",
+                  "{} result(s) were made by {}, this is {}: their numbers may differ from this version's; "
+                  "run them into another folder to compare\n",
                   n, program, phy::program);
 }
 

@@ -147,7 +147,8 @@ void add_new(CLI::App& rock, Session& session) {
 void add_check(CLI::App& rock, Session& session) {
   auto path = std::make_shared<std::string>();
   auto all = std::make_shared<bool>(false);
-  CLI::App* verb = rock.add_subcommand("check", "what a rock's data can and cannot determine");
+  CLI::App* verb = rock.add_subcommand(
+      "check", "how a table is read, what it leaves open, and how a calibration will probably end");
   verb->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");
   verb->add_flag("--all", *all, "every detail: values, closed forms, parameters, limits, maps");
   verb->callback([path, all, &session] { session.exit_code = rock_check(*path, *all, session); });

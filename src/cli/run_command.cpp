@@ -23,6 +23,7 @@
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "jobs/result_reference.hpp"
 #include "jobs/run_folder.hpp"
 #include "lab/load_path.hpp"
 #include "lab/scene_room.hpp"
@@ -256,6 +257,7 @@ void add_run_command(CLI::App& app, Session& session) {
   run->add_flag("--with-untrusted", args->with_untrusted,
                 "count tests that have a strength but are not to be trusted (docs/reliability.md)")
       ->needs(ensemble);
+  add_reference(*run, jobs::result_reference, "print the tables of measures, columns and keys of a result");
   run->callback([args, &session] {
     if (args->ensemble) {
       session.exit_code = run_ensemble({args->recipes, args->out, args->with_untrusted}, session);

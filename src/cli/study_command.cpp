@@ -333,11 +333,11 @@ void add_study_command(CLI::App& app, Session& session) {
         ->type_name("FOLDER");
     return sub;
   };
-  CLI::App* status = verb("status", "what is finished, what failed, what is left");
+  CLI::App* status = verb("status", "finished, failed and remaining tests");
   CLI::App* resume = verb("resume", "run what is left");
   CLI::App* csv = verb("export", "the table of all specimens as CSV");
   csv->add_option("--csv", args->csv, "file to write; default: standard output")->type_name("FILE");
-  CLI::App* effects = verb("effects", "curves, regressions and sensitivity indices of what is finished");
+  CLI::App* effects = verb("effects", "curves, regressions and sensitivity indices of finished tests");
   effects->add_option("--out", args->out, "folder for responses.csv and effects.csv; default: the study's")
       ->type_name("FOLDER");
   effects->add_flag("--with-untrusted", args->with_untrusted,

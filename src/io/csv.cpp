@@ -114,7 +114,7 @@ void find_coincident(const std::vector<Disc>& discs, const std::vector<int>& lin
   for (std::size_t i = 0; i < discs.size(); ++i)
     if (const auto k = earlier(i))
       bad.add({where + ":" + std::to_string(line[i]), "disc", "", "a centre of its own",
-               "it lies on that of line " + std::to_string(line[*k]) + ": remove one of the two"});
+               "it lies on the disc of line " + std::to_string(line[*k]) + ": remove one of the two"});
 }
 
 /// By hand and not by getline: the last line may lack its end, and line ends of Windows are taken off.

@@ -1,5 +1,6 @@
 #include "io/load.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -92,6 +93,8 @@ TEST_F(Load, EveryNumberComesBackToTheSameBits) {
   const Specimen s = lattice();
   const TestResult sent = moving(s);
   EXPECT_EQ(result_json(back), read(folder / "a" / "result.json"));
+  for (const FileKey& key : result_keys())  // as docs/result-tables.md lists them, in this order
+    EXPECT_THAT(result_json(back), testing::HasSubstr(fmt::format("\n \"{}\": ", key.name)));
   EXPECT_EQ(back.result.n_steps, sent.n_steps);
   EXPECT_EQ(back.result.numbers[0].value, 1.0 / 3.0);
   EXPECT_TRUE(std::isnan(back.result.numbers[1].value));

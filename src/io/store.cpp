@@ -161,6 +161,30 @@ std::string result_json(const SpecimenRecord& record) {
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+const std::vector<FileKey>& result_keys() {
+  static const std::vector<FileKey> keys = {
+      {"format", "version of this file"},
+      {"program", "name and version"},
+      {"specimen", "its name"},
+      {"theta [deg]",
+       "angle of the first bedding set, without bedding of the foliation; absent for intact rock"},
+      {"outcome", "`status`, `reason`, `advice`: [all outcomes](what-went-wrong.md)"},
+      {"quality", "`grade` (good, warning, untrusted, not assessed, no result) and `marks`"},
+      {"numbers", "by name: `value` (null: see `note`), `unit`, `definition`, `upper_bound` where it is one"},
+      {"packing",
+       "hash of the discs, number, porosity, coordination, fabric, locked-in stress, rattlers, overlap, "
+       "residual imbalance"},
+      {"bedding",
+       "per set: angle, `overlap_ratio`, `bridge_fraction`, `non_crossing_fraction`; of an oriented set "
+       "`joint_fraction`"},
+      {"run", "`dt [s]`, `n_steps`, `n_contacts`, `n_cracks`, `cpu_seconds`, `platen_speed [m/s]`"},
+      {"result_hash",
+       "FNV-1a over the bits of history, cracks and final positions; not over times or threads"},
+      {"recipe", "the completed recipe as TOML text"},
+      {"recipe_values", "the same as values: SI and degrees, the unit in the key, `\"width [m]\": 0.038`"}};
+  return keys;
+}
+
 void check_result_place(const std::string& folder) { check_place(folder, "result.json", "result"); }
 
 void write_result(const std::string& folder, const Recipe& recipe, const std::string& version,

@@ -5,6 +5,7 @@
 
 #include "io/csv.hpp"   // the other files that a command writes or reads:
 #include "io/file.hpp"  // storing results needs these two as well
+#include "records/file_key.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
@@ -21,6 +22,8 @@ std::string folder_name(const std::string& name);
 
 /// The text of a result.json.
 std::string result_json(const SpecimenRecord& record);
+/// Its keys, in their order.
+const std::vector<FileKey>& result_keys();
 
 /// Throws IoError where the folder of a result cannot be put, as check_place(): before hours of work are
 /// lost.

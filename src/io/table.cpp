@@ -386,9 +386,9 @@ class TableReader {
 std::vector<std::string> notes_on(std::string_view bytes) {
   std::vector<std::string> notes;
   if (bytes.starts_with("\xEF\xBB\xBF")) notes.emplace_back("a byte-order mark at the beginning was skipped");
-  if (bytes.find("\r\n") != bytes.npos) notes.emplace_back("line ends are those of Windows");
+  if (bytes.find("\r\n") != bytes.npos) notes.emplace_back("the file has line ends of Windows");
   if (bytes.find('\n') == bytes.npos && bytes.find('\r') != bytes.npos)
-    notes.emplace_back("line ends are those of old Macs");
+    notes.emplace_back("the file has line ends of old Macs");
   return notes;
 }
 

@@ -106,7 +106,7 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
     // Bytes above 127 outside strings are mostly typographic quotes or blanks copied from a text processor.
     if (u == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'))
       report_problem("line ends of Unix or Windows",
-                     "save the file with them: those of old Macs are not TOML");
+                     "save the file with them: line ends of old Macs are not TOML");
     const bool control = (u < 32 && u != '\r' && u != '\t') || u == 127;
     if (control || (u > 127 && !lexer.in_text()))
       report_problem("plain ASCII text",

@@ -44,7 +44,7 @@ calibrate::Effort effort_of(const CalibrationRequest& request) {
                                                          : "";
   if (!other.empty() && effort->name != calibrate::auto_effort.name)
     throw InputError(option_problem("effort", request.effort, "none beside " + other,
-                                    "it is that of a search of strengths, which is not made there"));
+                                    "an effort belongs to a search of strengths, which is not made there"));
   return *effort;
 }
 

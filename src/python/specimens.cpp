@@ -223,7 +223,7 @@ void add_outcome(SpecimenClass& specimen) {
       .def_property_readonly("numbers", &numbers_of, "All numbers of the test by name, as Number.")
       .def_property_readonly(
           "hash", [](const Test& t) { return t.result.hash; },
-          "Over the bits of history, cracks and final positions: that of the program.")
+          "Over the bits of history, cracks and final positions, as the program's.")
       .def_property_readonly(
           "n_steps", [](const Test& t) { return t.result.n_steps; }, "Cycles.")
       .def_property_readonly(
@@ -249,8 +249,9 @@ void add_series(SpecimenClass& specimen) {
           [](const py::object& self) {
             return view_of(self.cast<Test&>().result.cracks, crack_members(), self);
           },
-          "One row per broken bond or joint: step, time [s], strain, grain_a, grain_b, mode (0 tension, 1 "
-          "shear), place (0 matrix, 1 bedding), x, y [m], normal_x, normal_y, size [m], energy [J per m].")
+          "One row per broken bond or joint: step, time [s], strain, grain_a, grain_b, x, y [m], normal_x, "
+          "normal_y, size [m], energy [J per m]. Its mode is 0 in tension and 1 in shear. Its place is 0 in "
+          "the matrix and 1 in the bedding.")
       .def_property_readonly(
           "discs",
           [](const py::object& self) {

@@ -95,8 +95,8 @@ void add_amadei(py::module_& m) {
          "theta"_a, "E"_a, "E_n"_a, "nu"_a, "nu_n"_a, "G_n"_a,
          doc(R"(Young's modulus [Pa] of layered rock, load along y.
 
-theta: inclination of the planes [deg]; E along and E_n normal to them [Pa]; nu in the plane, nu_n in the
-plane under load normal to it [1]; G_n of planes normal to the bedding [Pa].)",
+theta: inclination of the planes [deg]. E along and E_n normal to them [Pa]. nu in the plane, nu_n in the
+plane under load normal to it [1]. G_n of planes normal to the bedding [Pa].)",
              amadei_source)
              .c_str());
   define(

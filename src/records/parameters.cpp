@@ -269,8 +269,8 @@ const Parameter matrix_mu{.key = "matrix.mu",
 /// A bond that bends breaks at its rim; the less the moment counts, the more UCS exceeds tension
 /// (docs/theory/reach.md).
 const Parameter matrix_moment =
-    with(of_matrix<&MatrixRecipe::moment_contribution>("matrix.moment_contribution", "beta", {0.05, 1.0, 0.3},
-                                                       has_parallel_bonds),
+    with(of_matrix<&MatrixRecipe::moment_contribution>("matrix.moment_contribution", "beta_bar",
+                                                       {0.05, 1.0, 0.3}, has_parallel_bonds),
          StrengthRole{[](const Evidence& e) -> Rule {
                         return {e.compressed() && holds(e, tension), {compression(e), tension}, {}, true};
                       },

@@ -24,6 +24,7 @@ const char* to_string(Grade grade);
 /// How far a measure may go. Measures of which little is bad (rows, transits) have `least` set.
 struct QualityLimit {
   const char* number;  ///< name of the measure among the numbers of a result
+  const char* what;    ///< its definition, in short
   bool least;          ///< the limits are lower bounds, else upper ones
   double warning;      ///< beyond it the result carries a warning
   double untrusted;    ///< beyond it the result is not trusted

@@ -352,7 +352,7 @@ class CrossChecks {
     if (cut.notch_width > widest)
       report_value(with({"test.notch_width", "test.disc_diameter"}, box), length(cut.notch_width),
                    "at most a twentieth of the diameter, " + length(widest),
-                   "the formula of the test is that of a crack; saw a thinner notch");
+                   "the formula of the test holds for a crack; saw a thinner notch");
   }
 };
 

@@ -36,7 +36,7 @@ std::vector<double HistoryRow::*> hashed_values(const TestDescription& test) {
   for (const std::string& name : test.hashed)
     for (const HistoryColumn& column : test.columns)
       if (name == column.name) values.push_back(column.value);
-  PHY_CHECK(values.size() == test.hashed.size(), "every name in a hash is that of one column");
+  PHY_CHECK(values.size() == test.hashed.size(), "every name in a hash names one column");
   return values;
 }
 

@@ -238,6 +238,39 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+const std::vector<FileKey>& calibration_keys() {
+  static const std::vector<FileKey> keys = {
+      {"format", "version of this file"},
+      {"program", "`name` and `version`"},
+      {"rock", "name of the rock"},
+      {"asked", "every option that changes the result, by key"},
+      {"method", "`sequence`, or absent"},
+      {"effort", "of the search"},
+      {"verdict",
+       "`status`, `sentence`, `lines`, `counts`, `good_for`, `not_good_for`, `findings`, `causes`, `next`"},
+      {"tables", "parameters as printed: `title`, `head`, `rows`"},
+      {"parameters",
+       "`key`, `symbol`, `unit`, `value`, `low`, `high`, `box`, `determined`, `rests_on`, `next`"},
+      {"fitted", "cells that were fitted"},
+      {"verification", "cells on unseen packings"},
+      {"left_out", "cells predicted without themselves, and by each curve"},
+      {"compared", "K_Ic on unseen packings, where nobody states the grain size"},
+      {"discrepancy", "rock over model at every fifth degree: `factor`, `low`, `high`"},
+      {"errors", "root mean squares per property: fitted, unseen, left out, curves"},
+      {"yardsticks",
+       "per property left out: `cells`, `model`, `with_discrepancy`, `best`, `best_error`, `text`"},
+      {"E_is", "which slope the table's E is"},
+      {"layers", "model of the layers"},
+      {"matrix", "`parallel_bond` or `flat_joint`"},
+      {"tangent_from_test", "E and nu at 40 to 60 % of UCS, where `E_is` is small strain"},
+      {"eq2", "`planes`, `K_n`, `K_s`, each with `ratio`, `slope`, `intercept`, `R2`"},
+      {"notes", "findings about the course"},
+      {"methods", "paragraphs for a paper"},
+      {"mixing", "`effective_sample_size` and `r_hat` of the draws behind the strengths"},
+      {"runs", "numbers of tests and solutions"}};
+  return keys;
+}
+
 Calibration comparisons_of(const std::string& json, const std::string& file) {
   Calibration c;
   // Missing keys and wrong types come as exceptions of the JSON library.
@@ -267,22 +300,21 @@ std::string recipe_comments(const Calibration& c) {
                           parameter_text(e.high, e.unit));
     else
       known.push_back(comment_text(e.symbol));
-  text +=
-      c.method == CalibrationMethod::sequence
-          ? "Found step by step, as the paper does: no intervals, nothing said of what the data leave open.\n"
-      : open.empty() && known.empty() ? "No parameter was fitted.\n"
-      : open.empty()                  ? "The data constrain what was fitted: " + list_text(known) + ".\n"
-                     : "The data do not constrain (within the values that the calibration admits):\n" + open;
+  text += c.method == CalibrationMethod::sequence
+              ? "Found step by step, as the paper does: no intervals, and no word on open parameters.\n"
+          : open.empty() && known.empty() ? "No parameter was fitted.\n"
+          : open.empty()
+              ? "The data constrain what was fitted: " + list_text(known) + ".\n"
+              : "The data do not constrain (within the values that the calibration admits):\n" + open;
   return as_comments(text);
 }
 
 std::string draw_comments(const Calibration& c, std::size_t number) {
-  return as_comments(fmt::format(
-      "{}: draw {} of {}. Moduli and strengths are one of many sets that the table leaves possible, on a "
-      "packing of their own; a single one is no estimate: `--ensemble` runs all of them "
-      "(docs/calibration.md, "
-      "\"Ensemble\"). The calibration says:\n{}\n",
-      comment_text(c.rock), number, c.ensemble.size(), comment_text(verdict_words(c))));
+  return as_comments(
+      fmt::format("{}: draw {} of {}. Moduli and strengths are one of many sets that the table allows, on a "
+                  "packing of their own. A single draw is no estimate: `--ensemble` runs all of them "
+                  "(docs/calibration.md, \"Ensemble\"). The calibration says:\n{}\n",
+                  comment_text(c.rock), number, c.ensemble.size(), comment_text(verdict_words(c))));
 }
 
 std::string yade_script(const Recipe& r) {

@@ -2,8 +2,10 @@
 // records only.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "records/calibration.hpp"
+#include "records/file_key.hpp"
 
 namespace phy::report {
 
@@ -12,6 +14,8 @@ constexpr int calibration_format = 2;
 
 /// Everything but the times: the same calibration gives the same text.
 std::string calibration_json(const Calibration& calibration, const std::string& version);
+/// Its keys, in their order.
+const std::vector<FileKey>& calibration_keys();
 
 /// What pictures are drawn from, read back from that text: rock, method, `fitted`, `verification`,
 /// `left_out`. Throws InputError that names `file` where it is no calibration of this format.

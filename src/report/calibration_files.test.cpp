@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,14 @@ TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
   EXPECT_THAT(recipe_comments(c), HasSubstr("constrain what was fitted: E_c."));
 }
 
+/// What docs/calibration-tables.md lists.
+void expect_listed_keys(const nlohmann::json& j) {
+  for (const auto& [name, value] : j.items())
+    EXPECT_TRUE(std::any_of(calibration_keys().begin(), calibration_keys().end(), [&](const FileKey& key) {
+      return key.name == name;
+    })) << name;
+}
+
 TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   Calibration c;
   c.rock = "r", c.verdict.status = VerdictStatus::calibrated_except;
@@ -62,6 +71,7 @@ TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   c.fitted = {row};
   c.seconds = 17.0;
   const auto j = nlohmann::json::parse(calibration_json(c, "1.2"));
+  expect_listed_keys(j);
   EXPECT_EQ(j["verdict"]["status"], "calibrated except");
   EXPECT_EQ(j["fitted"][0]["theta [deg]"], 45.0);
   EXPECT_TRUE(j["fitted"][0]["model"].is_null());
@@ -83,6 +93,7 @@ TEST(CalibrationJson, AnEstimateWithoutAnIntervalIsNeitherDeterminedNorOpen) {
   ParameterEstimate e{"matrix.E_c", "E_c", "Pa", 3e10, nan, nan, 1e9, 1e11, false, {}, {}};
   c.parameters = {e};
   const auto j = nlohmann::json::parse(calibration_json(c, "1.2"));
+  expect_listed_keys(j);
   EXPECT_EQ(j["method"], "sequence");
   EXPECT_TRUE(j["parameters"][0]["determined"].is_null());
   EXPECT_TRUE(j["parameters"][0]["low"].is_null());

@@ -286,9 +286,8 @@ std::string failure_table(const Calibration& c, int terminal_width) {
 }
 
 constexpr const char* at_half_of_ucs =
-    "at 50 % UCS: fit and unseen are at small strain; these are the unseen ones with what tests on "
-    "unseen "
-    "packings (on one, where the others are hurried) make of E and nu at 40 - 60 % of UCS\n";
+    "at 50 % UCS: fit and unseen are at small strain. This column is unseen times the effect of cracks, read "
+    "in tests at 40 - 60 % of UCS (on one packing, where the others are hurried)\n";
 
 std::string macro_table(const Calibration& c, int terminal_width) {
   const auto column = [&](const char* head, const auto& cell) {
@@ -357,8 +356,8 @@ std::string eq2_table(const Calibration& c, int terminal_width) {
          text_table(label, groups, terminal_width) +
          wrapped(
              "packings of the fit; lines through joints of half, once and twice the stiffness, the rest as "
-             "calibrated, K/k at once; E(theta) by direct solutions whose contacts also pull, K by Eq. 1 "
-             "with E at 90 degrees; the relation bends, the lower R2 the more; -: Eq. 1 does not hold\n",
+             "calibrated, K/k at once. E(theta) by direct solutions whose contacts also pull, K by Eq. 1 "
+             "with E at 90 degrees. The relation bends, the lower R2 the more; -: Eq. 1 does not hold\n",
              terminal_width, 2);
 }
 

@@ -58,14 +58,12 @@ std::string departures_text(const Recipe& r) {
                                   " The foliation of the matrix lies at {:g} deg where the bedding lies at "
                                   "{:g} deg, and turns with it.",
                                   m.foliation, r.bedding.front().theta);
-  return text +
-         fmt::format(
-             " Contacts have directions: with a the angle between their normal and that of the foliation, "
-             "stiffness, tensile strength and shear strength are multiplied by 1 + W cos 2a, W = (1 - r)/(1 "
-             "+ r), r = {:g}, {:g} and {:g}, the shear strength also by 1 - V cos 4a, V = (q - 1)/(q + 1), q "
-             "= "
-             "{:g}.",
-             m.stiffness_ratio, m.tension_ratio, m.cohesion_ratio, m.cohesion_oblique);
+  return text + fmt::format(
+                    " Contacts have directions: a is the angle between the normals of contact and foliation. "
+                    "Stiffness, tensile strength and shear strength are multiplied by 1 + W cos 2a, W = (1 - "
+                    "r)/(1 + r), r = {:g}, {:g} and {:g}. The shear strength is also multiplied by 1 - V cos "
+                    "4a, V = (q - 1)/(q + 1), q = {:g}.",
+                    m.stiffness_ratio, m.tension_ratio, m.cohesion_ratio, m.cohesion_oblique);
 }
 
 std::string friction_angle_text(const MatrixRecipe& m) {
@@ -76,10 +74,13 @@ std::string flat_joint_text(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
   const auto p = [](double v) { return quantity(v, Dimension::pressure); };
   return fmt::format(
-      "The matrix is a flat-jointed bonded-particle model (Potyondy 2012): interfaces of {} elements (E_c = "
-      "{}, k_s/k_n = {:g}, mu = {:g}, tensile strength {} with standard deviation {}, compared at the {} of "
-      "an element, cohesion {} with standard deviation {}, {}radius multiplier {:g}, bond seed {}); grain "
-      "density {}.{}",
+      "The matrix is a flat-jointed bonded-particle model (Potyondy 2012). Interfaces of {} elements have "
+      "E_c = "
+      "{}, k_s/k_n = {:g} and mu = {:g}. Their tensile strength is {} with standard deviation {}, compared "
+      "at "
+      "the {} of an element. Their cohesion is {} with standard deviation {}. They have {}radius multiplier "
+      "{:g} and bond "
+      "seed {}. Grain density {}.{}",
       m.elements, p(m.E_c), m.ks_over_kn, m.mu, p(m.sigma_c), p(m.sigma_c_sd),
       m.break_at == BreakAt::edge ? "edge" : "centre", p(m.tau_c), p(m.tau_c_sd), friction_angle_text(m),
       m.radius_multiplier, m.bond_seed, quantity(m.density, Dimension::density), departures_text(r));
@@ -90,13 +91,11 @@ std::string matrix_text(const Recipe& r) {
   if (m.model == MatrixModel::flat_joint) return flat_joint_text(r);
   const auto p = [](double v) { return quantity(v, Dimension::pressure); };
   return fmt::format(
-      "The matrix is a bonded-particle model (Potyondy & Cundall 2004): linear contacts (E_c = {}, k_s/k_n = "
-      "{:g}, mu = {:g}) "
-      "and parallel bonds (E_b = {}, k_s/k_n = {:g}, tensile strength {} with standard deviation {}, shear "
-      "strength {} with "
-      "standard deviation {}, {}radius multiplier {:g}, moment contribution {:g}, bond seed {}); grain "
-      "density "
-      "{}.{}",
+      "The matrix is a bonded-particle model (Potyondy & Cundall 2004). Linear contacts have E_c = {}, "
+      "k_s/k_n "
+      "= {:g} and mu = {:g}. Parallel bonds have E_b = {}, k_s/k_n = {:g}, tensile strength {} with standard "
+      "deviation {}, and shear strength {} with standard deviation {}. They have {}radius multiplier {:g}, "
+      "moment contribution {:g} and bond seed {}. Grain density {}.{}",
       p(m.E_c), m.ks_over_kn, m.mu, p(m.E_b), m.bond_ks_over_kn, p(m.sigma_c), p(m.sigma_c_sd), p(m.tau_c),
       p(m.tau_c_sd), friction_angle_text(m), m.radius_multiplier, m.moment_contribution, m.bond_seed,
       quantity(m.density, Dimension::density), departures_text(r));
@@ -117,9 +116,8 @@ std::string layers_text(const BeddingRecipe& b) {
 std::string joints_text(const BeddingRecipe& b) {
   if (!b.has_planes())
     return fmt::format(
-        "Bedding is dispersed: every contact whose normal lies within {:g} deg of that of the bedding "
-        "is a "
-        "smooth joint (Mas Ivars et al. 2011) with the normal of the bedding (after Duan & Kwok 2015)",
+        "Bedding is dispersed (after Duan & Kwok 2015). Every contact whose normal lies within {:g} deg of "
+        "the bedding's is a smooth joint (Mas Ivars et al. 2011) with the bedding's normal",
         b.orientation_range);
   std::string text = fmt::format(
       "Bedding planes, {} apart, are smooth joints (Mas Ivars et al. 2011), assigned by the {}",
@@ -179,7 +177,7 @@ std::string end_of(const SpecimenRecord& test) {
     return fmt::format("the {} had fallen below {:g} % of its peak", axes.stress, 100.0 * t.stop_at);
   const double end = axes.strain_of(rows.back()), far = (1.0 + t.post_peak) * axes.strain_of(*peak);
   if (!t.kind->may_harden || (t.post_peak > 0.0 && end > far))
-    return fmt::format("the {} exceeded that of the peak by {:g} %", axes.strain, 100.0 * t.post_peak);
+    return fmt::format("the {} exceeded its value at the peak by {:g} %", axes.strain, 100.0 * t.post_peak);
   return fmt::format("past a peak that the {} fell from by 10 %, at the full {} of {:.3g} {}", axes.stress,
                      axes.strain, end * axes.strain_factor, axes.strain_unit);
 }
@@ -331,14 +329,11 @@ std::string fit_text(const Calibration& c, const std::string& version) {
       version, c.rock, table_text(c), to_string(c.E_is));
   text += layers_text(c);
   const bool posterior = c.method == CalibrationMethod::posterior;
-  text += fmt::format(
-      " Moduli were {} ({} direct elastic solutions in all)",
-      posterior
-          ? "fitted by least squares"
-          : "found step by step: Eq. 1 through E(theta), the matrix from E and nu along the layers, joint "
-            "stiffnesses by the linear relation between macro and micro stiffness (Eq. 2), made anew on "
-            "the packings at hand",
-      c.counts.solutions);
+  text += fmt::format(" Moduli were {} ({} direct elastic solutions in all)",
+                      posterior ? "fitted by least squares"
+                                : "found step by step, by Eq. 1 through E(theta), E and nu along the layers, "
+                                  "and Eq. 2 made anew on the packings at hand",
+                      c.counts.solutions);
   if (n_ucs > 0)
     text += fmt::format(
         ", strengths {} ({} compression{} tests in all, verification included)",
@@ -354,7 +349,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
                         c.verification.front().n_packings);
   text += ".";
   if (!c.discarded.empty())
-    text += fmt::format(" The numbers of solutions and tests include those of {} that {} not taken: {}.",
+    text += fmt::format(" The numbers of solutions and tests include {} that {} not taken: {}.",
                         c.discarded.size() > 1 ? "other models" : "another model",
                         c.discarded.size() > 1 ? "were" : "was", fmt::join(c.discarded, "; "));
   text += relations_text(c);

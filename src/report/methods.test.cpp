@@ -183,7 +183,7 @@ TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
   c.method = CalibrationMethod::sequence;
   text.clear();
   for (const std::string& paragraph : methods_text(c, "0.9")) text += paragraph + "\n";
-  EXPECT_THAT(text, AllOf(HasSubstr("step by step: Eq. 1"), HasSubstr("one after the other by bisection"),
+  EXPECT_THAT(text, AllOf(HasSubstr("step by step, by Eq. 1"), HasSubstr("one after the other by bisection"),
                           Not(HasSubstr("posterior")), Not(HasSubstr("least squares"))));
 }
 

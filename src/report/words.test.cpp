@@ -174,7 +174,7 @@ TEST(Words, TheVerdictOfModuliAlone) {
   c.verdict.not_good_for = {{Kind::strengths_of_recipe}};
   c.verdict.next.advice = Advice::calibrate_strengths;
   EXPECT_THAT(verdict_words(c), testing::StartsWith("Calibrated in E and nu alone."));
-  EXPECT_EQ(verdict_lines(c)[1], "Not good for: strengths, which are those of the recipe, not of the rock.");
+  EXPECT_EQ(verdict_lines(c)[1], "Not good for: strengths, which are the recipe's, not the rock's.");
 }
 
 TEST(Words, TheVerdictOfATableThatIsOutOfReach) {

@@ -274,7 +274,7 @@ const std::vector<Wording> cause_words = {
     {Kind::farthest_value,
      [](F f) { return fmt::format("Farthest off is {}, {}.", cells_text(f.cells), both(f)); }},
     {Kind::strengths_of_recipe,
-     [](F) -> std::string { return "strengths, which are those of the recipe, not of the rock."; }},
+     [](F) -> std::string { return "strengths, which are the recipe's, not the rock's."; }},
     {Kind::gap_in_ucs,
      [](F f) {
        return fmt::format("No UCS was measured between {:g} and {:g} degrees.", f.number("from"),
@@ -334,7 +334,7 @@ const std::vector<Wording> model_words = {
     {Kind::model_kept, [](F f) { return "Kept: " + f.names.front() + "."; }},
     {Kind::rival_model, rival_model},
     {Kind::no_modulus,
-     [](F) -> std::string { return "The table has no E: the elastic parameters are those of the recipe."; }},
+     [](F) -> std::string { return "The table has no E: the elastic parameters are the recipe's."; }},
     {Kind::moduli_at_small_strain,
      [](F f) {
        return fmt::format(
@@ -344,16 +344,15 @@ const std::vector<Wording> model_words = {
      }},
     {Kind::elastic_only,
      [](F) -> std::string {
-       return "The elastic part only: the strengths are those of the recipe, not calibrated.";
+       return "The elastic part only: the strengths are the recipe's, not calibrated.";
      }},
     {Kind::no_ucs,
      [](F) -> std::string {
-       return "The table has no UCS: the strengths are those of the recipe, not calibrated.";
+       return "The table has no UCS: the strengths are the recipe's, not calibrated.";
      }},
     {Kind::no_compression,
      [](F) -> std::string {
-       return "The table has no strength in compression: the strengths are those of the recipe, not "
-              "calibrated.";
+       return "The table has no strength in compression: the strengths are the recipe's, not calibrated.";
      }},
     {Kind::intervals_withdrawn,
      [](F) -> std::string {

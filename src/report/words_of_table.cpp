@@ -271,7 +271,7 @@ std::string misfits(F f) {
 /// At which part of the curve the moduli are read, where that is no elastic body's.
 std::string reading_of(F f) {
   return f.names.empty() ? ""
-                         : fmt::format(" Read as {} (E_is), E and nu need not be those of an elastic body.",
+                         : fmt::format(" Read as {} (E_is), E and nu need not belong to an elastic body.",
                                        f.names.front());
 }
 

@@ -492,8 +492,8 @@ class RockReader {
           "K_Ic is kept, not used: without a strength in compression no strength is calibrated");
     if (any && compressed && !rock_.grains_stated)
       rock_.notes.emplace_back(
-          "K_Ic is not fitted: that of a model grows with the root of its grains' size at the same "
-          "strengths. State them to have it fitted: grain_size = \"1.2 mm\" (how many grains that makes is "
+          "K_Ic is not fitted: at the same strengths a model's grows with the root of the grains' size. "
+          "State them to have it fitted: grain_size = \"1.2 mm\" (how many grains that makes is "
           "said), or a recipe");
   }
   /// The headers that the file names, with our names for them.

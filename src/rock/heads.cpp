@@ -411,10 +411,9 @@ class HeadsReader {
     heads_.asked_for_angles = true;
     report_problem(
         quoted(describe_layers_), "", "an angle that says from where it counts",
-        fmt::format(
-            "if it says how the layers lie, add a column theta [deg]: 90 where the load is along them, 0 "
-            "where it is across them; if not, write in the rock file: [columns] {}",
-            said_as("-", describe_layers_)));
+        fmt::format("if it says how the layers lie, add a column theta [deg]: 90 where the load is along "
+                    "them, 0 where it is across. If not, write in the rock file: [columns] {}",
+                    said_as("-", describe_layers_)));
   }
   /// What the words of a column would count as.
   std::string meaning_of_words(std::size_t i) const {

@@ -192,8 +192,9 @@ TEST_F(RockFile, CrackInitiationGoesWithTheUcsOfItsAngle) {
   EXPECT_THAT(
       problems(head + "0,,,45,4,3\n" + rest),
       testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("UCS at the same angle"))));
-  EXPECT_THAT(problems(head + "0,,100,110,4,3\n" + rest),
-              testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("below that of UCS"))));
+  EXPECT_THAT(
+      problems(head + "0,,100,110,4,3\n" + rest),
+      testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("below the mean of UCS"))));
   const Rock r = rock(head + "0,10,150,70,4,3\n0,,100,45,4,3\n" + rest);
   const std::vector<Target> initiation = of_property(targets_of(r), Property::crack_initiation);
   ASSERT_THAT(initiation, SizeIs(2));  // under confinement it is no target

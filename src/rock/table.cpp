@@ -251,9 +251,8 @@ class ReadingReader {
     if (!good || std::isfinite(r.theta)) return good;
     if (is_shear_alone(v)) return r.theta = 0.0, true;
     problems_.push_back({at(r.line), h.name, "", "an angle in every row",
-                         "give the layers of this specimen an angle, that of the row above again where it is "
-                         "the same; a row without any goes "
-                         "out of the table, or behind a # at its beginning"});
+                         "give the layers of this specimen an angle, also where the row above has the same; "
+                         "a row without any goes out of the table, or behind a #"});
     return false;
   }
   /// A row of direct shear, which has no inclination.
@@ -385,7 +384,7 @@ class ReadingReader {
       else if (cell.mean() >= ucs[theta].mean())
         problems_.push_back(
             {at(cell.line), "sigma_ci", value,
-             fmt::format("a mean below that of UCS at this angle, {:.4g} MPa", ucs[theta].mean() * 1e-6),
+             fmt::format("a mean below the mean of UCS at this angle, {:.4g} MPa", ucs[theta].mean() * 1e-6),
              "cracks begin before the peak: are two columns swapped?"});
     }
   }

@@ -58,7 +58,7 @@ constexpr const char* table_template =
 # Or a column beta [deg], the angle between load and bedding (beta = 90 - theta). Three angles at least.
 # Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian; diameter [mm] of its disc), I_s50 [MPa] (point
 # load), K_Ic [MPa sqrt(m)] (semi-circular bend; diameter [mm] of the half disc), each with _sd;
-# confining [MPa], under which UCS is sigma_1 at the peak, E and nu those of q over strain; or c [MPa],
+# confining [MPa], under which UCS is sigma_1 at the peak, E and nu from q over strain; or c [MPa],
 # phi [deg], confining_min [MPa], confining_max [MPa] of an envelope. The load, or the pull of DTS, is
 # along y in every test. Direct shear of bedding: tau_peak [MPa], tau_residual [MPa] under sigma_n [MPa], in
 # rows that need no angle.

@@ -169,7 +169,7 @@ std::vector<Check> flat_pair_turned() {
       {"rotation reached [rad]", 1.0, b.grain(0).rotation, 1e-9},
       {"normal force / (k_n 2R L) [-]", 0.0, c.F_n / (k_n * L), 1e-13},
       {"shear force k_s 2R L dphi^2/6 of steps of 1e-4 rad [N/m]", k_s * L * turn * turn / 6.0, c.F_s, 1e-5},
-      {"energy of closure and bending / that of 1 rad between them [-]", 0.0,
+      {"energy of closure and bending / energy of 1 rad between them [-]", 0.0,
        (b.group->row(0).strain_bond - in_shear) / (0.5 * k_m), 1e-15}};
 }
 

@@ -47,7 +47,7 @@ std::vector<Check> jaeger_minimum() {
 
 std::vector<VerificationCase> theory_cases() {
   return {
-      {"V4", "Goodman's E(theta) and nu(theta) are those of the rotated compliance matrix",
+      {"V4", "Goodman's E(theta) and nu(theta) agree with the rotated compliance matrix",
        "Goodman 1989; Amadei 1996", "two closed forms in double precision", goodman_by_rotation},
       {"V14", "Jaeger's plane of weakness: smallest strength 2 c (sqrt(1 + mu^2) + mu) at 45 + phi/2",
        "Jaeger 1960", "a minimum is flat: its angle is found to the root of the rounding error",

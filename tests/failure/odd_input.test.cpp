@@ -122,7 +122,7 @@ TEST_F(OddInput, LinesThatEndAsOnOldMacs) {
   EXPECT_THAT(output, HasSubstr("mac.toml:1: expected line ends of Unix or Windows"));
   write("mac.csv", "theta [deg],UCS [MPa]\r0,100\r30,60\r90,90\r");
   EXPECT_EQ(run("rock check " + write("rock.toml", "data = \"mac.csv\"\n")), 0) << output;
-  EXPECT_THAT(output, HasSubstr("line ends are those of old Macs"));
+  EXPECT_THAT(output, HasSubstr("the file has line ends of old Macs"));
 }
 
 TEST_F(OddInput, FiftyProblemsOfAKindAreEnough) {

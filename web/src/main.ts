@@ -562,7 +562,7 @@ function calibration() {
     fold("What the data determine", whatIsDetermined(c)),
     c.eq2 !== undefined &&
       fold(
-        "Eq. 2: stiffness of the planes over that of their joints, and what spacing and rule change in it",
+        "Eq. 2: stiffness of the planes over stiffness of their joints, and how spacing and rule change it",
         h("p", { class: "muted" }, "K/k as calibrated, and the line K = slope · k + intercept through joints of half, once and twice the stiffness, on packings of the fit. E(θ) by direct solutions whose contacts also pull, K by Eq. 1 with E at 90°. The relation bends, the lower R² the more. Other packings have other lines too."),
         eq2Table(c.eq2),
       ),

@@ -131,10 +131,11 @@ std::string loading_text_of(const Recipe& r) {
   const BendSpecimen s = bend_specimen(r);
   const auto length = [](double v) { return print_quantity(v, Dimension::length); };
   return fmt::format(
-      "Half discs of radius {} were cut from the specimens, notched from the middle of the flat face to a "
-      "depth of {} (a/R = {:g}) and bent over two rollers {} apart (s/2R = {:g}); loading and support "
-      "rollers approached at {} (semi-circular bend, M.D. Kuruppu et al., Rock Mech. Rock Eng. 47 "
-      "(2014) 267-274). The apparent K_Ic takes the factor of an isotropic body from there.",
+      "Half discs of radius {} were cut from the specimens. They were notched from the middle of the flat "
+      "face to a depth of {} (a/R = {:g}) and bent over two rollers {} apart (s/2R = {:g}). Loading and "
+      "support "
+      "rollers approached at {} (semi-circular bend, M.D. Kuruppu et al., Rock Mech. Rock Eng. 47 (2014) "
+      "267-274). The apparent K_Ic takes the factor of an isotropic body from there.",
       length(s.radius), length(s.notch), r.test.notch_ratio, length(s.span), r.test.span_ratio,
       speed_text(r.test));
 }
