@@ -143,9 +143,7 @@ class OwnSimulator : public Simulator {
         options_.on_progress({p.n_done, p.n_total, p.n_new, p.seconds_left(seconds_since(start))});
       };
     if (options_.on_reading)
-      hooks.on_reading = [&](std::size_t test, double strain, double stress) {
-        options_.on_reading(plan.tests[test].recipe, strain, stress);
-      };
+      hooks.on_reading = [&](std::size_t, const RunningTest& now) { options_.on_reading(now); };
     if (options_.sink != nullptr)
       hooks.on_result = [&](std::size_t test, const TestResult& result) {
         const Recipe& recipe = plan.tests[test].recipe;

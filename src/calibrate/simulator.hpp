@@ -77,8 +77,8 @@ struct SimulatorOptions {
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const TestProgress&)> on_progress;             ///< from a worker, one at a time
   std::function<void(const study::WorkReport&)> on_work = nullptr;  ///< after every batch of tests
-  /// Strain and stress [Pa] of a running test after each block; from a worker, one at a time.
-  std::function<void(const Recipe&, double strain, double stress)> on_reading = nullptr;
+  /// A running test after each block; from a worker, one at a time.
+  std::function<void(const RunningTest&)> on_reading = nullptr;
   bool with_untrusted = false;   ///< tests that are not to be trusted count like the others
   SpecimenSink* sink = nullptr;  ///< called from a worker, one at a time; null: pictures are lost
 };

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "base/check.hpp"
@@ -11,7 +12,10 @@
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
 #include "gui/api.hpp"
+#include "gui/way_in.hpp"
 #include "io/file.hpp"
+#include "system/browser.hpp"
+#include "system/terminal.hpp"
 
 namespace phy::cli {
 namespace {
@@ -19,6 +23,7 @@ namespace {
 struct GuiArguments {
   std::string folder = ".";
   int port = usual;
+  std::optional<bool> browser;  // none: where somebody sits before it
   static constexpr int usual = -1, first = 7337;
 };
 
@@ -38,11 +43,12 @@ std::unique_ptr<gui::Server> server_at(int port, const gui::Tokens& tokens, cons
 int run_gui(const GuiArguments& args, const Session& session) {
   io::check_writable(args.folder);
   std::filesystem::current_path(args.folder);
-  const gui::Tokens tokens = {gui::random_token(), gui::random_token()};
+  const gui::Tokens tokens = {gui::kept_token(gui::way_in_file), gui::random_token()};
   gui::Api api(session.threads, tokens.file);
   const auto server =
       server_at(args.port, tokens, [&](const gui::Request& request) { return api.answer(request); });
   const int width = session.terminal_width;
+  gui::write_way_in(gui::way_in_file, server->address());
   print_out("{}\n", server->address());
   print_wrapped(
       width, 2,
@@ -51,6 +57,9 @@ int run_gui(const GuiArguments& args, const Session& session) {
       std::filesystem::current_path().string());
   print_wrapped(width, 2, "Ctrl-C ends it; its commands keep their finished tests\n");
   flush_out();
+  if (args.browser.value_or(system::is_terminal(system::standard_output) && system::has_desktop()))
+    // A file in place of the address: what a command line says every user of the machine can read.
+    system::open_in_browser(std::filesystem::absolute(gui::way_in_file).string());
   const bool all_answered = server->run(*stop_on_interrupt());
   for (const std::string& folder : api.running())
     print_wrapped(width, 2, "stopping what writes {}: `phyllite gui`, started again, can go on with it\n",
@@ -77,6 +86,8 @@ void add_gui_command(CLI::App& app, Session& session) {
                       "that is taken",
                       GuiArguments::first))
       ->check(CLI::Range(0, 65535));
+  verb->add_flag("--browser,!--no-browser", args->browser,
+                 "open the page in the browser; default: in a terminal on a desktop");
   verb->callback([args, &session] { session.exit_code = run_gui(*args, session); });
 }
 

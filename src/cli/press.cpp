@@ -9,6 +9,7 @@
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "io/store.hpp"
+#include "jobs/press_watch.hpp"
 #include "jobs/study_folder.hpp"
 #include "study/worker.hpp"
 
@@ -22,7 +23,11 @@ std::vector<TestResult> press(const Recipe& recipe,
   // The line of progress stays the last one of the terminal.
   line.draw_above([&] { return plot.lines(); });
   study::Hooks hooks;
-  hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
+  jobs::PressWatch watch(folder);
+  hooks.on_reading = [&](std::size_t i, const RunningTest& now) {
+    plot.add(i, now.strain, now.stress);
+    watch.reading(now);
+  };
   hooks.stop = stop_on_interrupt();
   hooks.on_progress = [&](const study::Progress& p) {
     line.show([&](double seconds) { return jobs::progress_text(p, seconds); });

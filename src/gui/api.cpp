@@ -12,6 +12,7 @@
 #include "base/embedded.hpp"
 #include "base/quote.hpp"
 #include "base/version.hpp"
+#include "gui/imports.hpp"
 #include "gui/options.hpp"
 #include "gui/project.hpp"
 #include "gui/recipes.hpp"
@@ -24,8 +25,11 @@
 #include "jobs/calibration_watch.hpp"
 #include "jobs/folder_lock.hpp"
 #include "jobs/machine.hpp"
+#include "jobs/press_watch.hpp"
+#include "jobs/rock_base.hpp"
 #include "records/test_description.hpp"
 #include "rock/file.hpp"
+#include "system/files.hpp"
 
 namespace phy::gui {
 
@@ -153,6 +157,21 @@ void check_home() {
         "folder that is.");
 }
 
+/// "": nothing is said.
+std::string said_in(const std::map<std::string, std::string>& query, const char* key) {
+  const auto found = query.find(key);
+  return found == query.end() ? "" : found->second;
+}
+
+/// Where something is tested: a calibration, or a test.
+std::string folder_of(const std::map<std::string, std::string>& query) {
+  const std::string name = said_in(query, "name"), test = said_in(query, "test");
+  check_name(name);
+  if (test.empty()) return calibration_of(name, said_in(query, "calibration"));
+  check_name(test);
+  return path_in(tests_of(name), test);
+}
+
 Json choices_of(const char* key) { return find_field(rock::rock_schema().fields, key)->choices; }
 
 }  // namespace
@@ -184,11 +203,20 @@ Response Api::route(const Request& request) {
     return {200, content_type(*file), "", std::make_shared<io::InputFile>(*file)};
   }
   if (reads && request.path == "/api/project") return json(project());
-  if (reads && request.path == "/api/rock") {
-    const auto name = request.query.find("name");
-    return json(rock(name == request.query.end() ? "" : name->second));
+  if (reads && request.path == "/api/rock")
+    return json(rock(said_in(request.query, "name"), said_in(request.query, "calibration")));
+  if (reads && request.path == "/api/press") {
+    const auto text = io::read_if_file(path_in(folder_of(request.query), jobs::press_file), largest_answer);
+    return {200, "application/json", text ? *text : "null"};
   }
+  if (reads && request.path == "/api/base") return json(rock_like(said_in(request.query, "name")));
   if (reads) return error(404, "no such address");
+  if (request.path == "/api/table") return json(table_from(request.body, said_in(request.query, "name")));
+  return changed(request);
+}
+
+/// What has a body of JSON.
+Response Api::changed(const Request& request) {
   const Json asked = asked_in(request.body);
   if (request.path == "/api/check") {
     check_name(asked.at("name").get<std::string>());
@@ -197,7 +225,8 @@ Response Api::route(const Request& request) {
   if (request.path == "/api/recipe") {
     const std::string name = asked.at("name");
     check_name(name);
-    const std::string base = path_in(calibration_of(name), "calibrated.toml");
+    const std::string folder = calibration_of(name, get<std::string>(asked, "calibration", ""));
+    const std::string base = path_in(folder, "calibrated.toml");
     if (!exists(base))
       throw InputError(Problem{"", "rock", name, "a rock that has been calibrated", "calibrate it first"});
     return json(recipe_answer(base, asked.at("changes").get<std::map<std::string, std::string>>()));
@@ -225,7 +254,7 @@ Response Api::saved(const Json& asked) {
 Json Api::project() {
   Json rocks = Json::array();
   for (const std::string& name : rock_names()) {
-    const Json c = calibration(name);
+    const Json c = brief(calibration_of(name));
     rocks.push_back({{"name", name}, {"state", c["state"]}, {"verdict", value_in(c, {"verdict", "status"})}});
   }
   return {
@@ -237,13 +266,16 @@ Json Api::project() {
        {{"E_is", choices_of("E_is")}, {"layers", choices_of("layers")}, {"matrix", choices_of("matrix")}}},
       {"columns", choices_of("columns.\"header\"")},
       {"options", options_json()},
+      {"measured", jobs::base_rocks()},
       {"rocks", std::move(rocks)},
       {"kinds", kinds_json()},
       {"keys", keys_json()}};
 }
 
-Json Api::rock(const std::string& name) {
+Json Api::rock(const std::string& name, const std::string& chosen) {
   const RockFiles files = read_rock_files(name);
+  Json all = Json::array();
+  for (const std::string& folder : calibrations_of(name)) all.push_back(brief(folder));
   Json tests = Json::array();
   for (const std::string& t : test_names(name)) tests.push_back(test(name, t));
   return {{"name", name},
@@ -252,7 +284,8 @@ Json Api::rock(const std::string& name) {
           {"table_file", files.table_file},
           {"stamp", files.stamp},
           {"exists", exists(name + ".toml")},
-          {"calibration", calibration(name)},
+          {"calibration", calibration(name, calibration_of(name, chosen))},
+          {"calibrations", std::move(all)},
           {"tests", std::move(tests)}};
 }
 
@@ -271,26 +304,58 @@ Api::Work Api::work_in(const std::string& folder) {
   return {other, false, child == children_.end() ? -1 : child->second->exit_code()};
 }
 
-Json Api::calibration(const std::string& name) {
-  const std::string folder = calibration_of(name);
+std::string Api::state_of_calibration(const std::string& folder) {
+  const bool finished = exists(path_in(folder, "calibration.json"));
+  const Json reported = value_in(json_in(path_in(folder, jobs::watch_file)), {"state"});
+  const Work work = work_in(folder);
+  if (work.process != 0) return "running";
+  // without a process "running" was killed; the report may be missing though all else is there
+  if (finished && (reported.is_null() || reported == "finished")) return "finished";
+  if (reported == "stopped" || reported == "running") return "stopped";
+  if (work.exit_code >= 2 || reported == "failed") return "failed";
+  return jobs::request_in(folder) ? "stopped" : "new";
+}
+
+/// Of a long file, which every page asks for once a second: read again only where it has changed.
+Json Api::result_in_brief(const std::string& folder) {
+  const std::string file = path_in(folder, "calibration.json");
+  const auto about = system::about(file);
+  if (!about) return {{"verdict", nullptr}, {"errors", Json::array()}, {"effort", nullptr}};
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = briefs_.find(folder);
+    if (known != briefs_.end() && known->second.identity == about->identity) return known->second.json;
+  }
+  const Json result = json_in(file);
+  const Json errors = value_in(result, {"errors"});
+  Json j = {{"verdict", value_in(result, {"verdict"})},
+            {"errors", errors.is_array() ? errors : Json::array()},
+            {"effort", value_in(result, {"effort"})}};
+  const std::lock_guard lock(mutex_);
+  briefs_[folder] = {about->identity, j};
+  return j;
+}
+
+/// A calibration among others.
+Json Api::brief(const std::string& folder) {
+  Json j = result_in_brief(folder);
+  j["verdict"] = Json{{"status", value_in(j, {"verdict", "status"})}};
+  j["folder"] = folder;
+  j["state"] = state_of_calibration(folder);
+  j["tested"] = exists(path_in(folder, "calibrated.toml"));
+  j["began"] = jobs::seconds_since_lock(folder);
+  return j;
+}
+
+Json Api::calibration(const std::string& name, const std::string& folder) {
   const Log log = log_in(log_of(folder));
   const auto earlier = jobs::request_in(folder);
   const bool finished = exists(path_in(folder, "calibration.json"));
-  Json progress = json_in(path_in(folder, jobs::watch_file));
-  const Json reported = value_in(progress, {"state"});
   const auto [process, here, code] = work_in(folder);
-  // without a process "running" was killed; the report may be missing though all else is there
-  const bool whole = reported.is_null() || reported == "finished";
-  const std::string state = process != 0                                     ? "running"
-                            : finished && whole                              ? "finished"
-                            : reported == "stopped" || reported == "running" ? "stopped"
-                            : code >= 2 || reported == "failed"              ? "failed"
-                            : earlier                                        ? "stopped"
-                                                                             : "new";
+  const std::string state = state_of_calibration(folder);
   jobs::CalibrationRequest next = earlier.value_or(jobs::CalibrationRequest{});
   next.rock = name + ".toml", next.out = folder;
   next.resume = earlier && (state == "stopped" || state == "failed");
-  const Json result = finished ? json_in(path_in(folder, "calibration.json")) : Json(nullptr);
   return {{"state", state},
           {"command", here ? log.command : command_of(jobs::command_line_of(next))},
           {"resumes", next.resume},
@@ -298,9 +363,9 @@ Json Api::calibration(const std::string& name) {
           {"next", next_calibration_of(name)},
           {"seconds", process != 0 ? Json(jobs::seconds_since_lock(folder)) : Json(nullptr)},
           {"here", here},
-          {"progress", std::move(progress)},
+          {"progress", json_in(path_in(folder, jobs::watch_file))},
           {"log", log.tail},
-          {"verdict", value_in(result, {"verdict"})},
+          {"verdict", result_in_brief(folder)["verdict"]},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
           {"files", files_in(folder, {"report.html", "calibrated.toml", "tables.txt", "calibration.json",
                                       "calibrated.p2dat", "calibrated-yade.py"})}};
@@ -377,9 +442,10 @@ Json Api::calibrate(const Json& asked) {
   check_name(name);
   if (!exists(name + ".toml"))
     throw InputError(Problem{"", "rock", name, "a rock that has been saved", "save it first"});
-  const std::string now = calibration_of(name);
-  if (work_in(now).process != 0)
-    throw InputError(Problem{"", now, "", "one calibration of a rock at a time", "stop the other first"});
+  const std::string now = calibration_of(name, get<std::string>(asked, "calibration", ""));
+  for (const std::string& other : calibrations_of(name))
+    if (work_in(other).process != 0)
+      throw InputError(Problem{"", other, "", "one calibration of a rock at a time", "stop the other first"});
   const auto earlier = jobs::request_in(now);
   const bool resume = earlier && get(asked, "resume", false);
   jobs::CalibrationRequest request = resume ? *earlier : request_from(get(asked, "options", Json::object()));
@@ -394,7 +460,8 @@ Json Api::stop(const Json& asked) {
   const std::string name = asked.at("name"), test = get<std::string>(asked, "test", "");
   check_name(name);
   if (!test.empty()) check_name(test);
-  const std::string folder = test.empty() ? calibration_of(name) : path_in(tests_of(name), test);
+  const std::string calibration = get<std::string>(asked, "calibration", "");
+  const std::string folder = test.empty() ? calibration_of(name, calibration) : path_in(tests_of(name), test);
   const int process = work_in(folder).process;
   const std::lock_guard lock(mutex_);
   const auto child = children_.find(folder);

@@ -4,7 +4,10 @@
 //
 //   GET  /                the page
 //   GET  /api/project     folder, rocks, choices
-//   GET  /api/rock        ?name=: files, calibration, tests of a rock
+//   GET  /api/rock        ?name=&calibration=: files, calibrations, tests of a rock; one calibration in full
+//   GET  /api/press       ?name=&calibration=&test=: the specimen that is in the press there; null: none
+//   GET  /api/base        ?name=: table and rock file of a measured rock of the program
+//   POST /api/table       ?name=: a workbook; answers its table as text
 //   POST /api/check       what `phyllite rock check` says of texts that are being typed
 //   POST /api/save        the rock and its table
 //   POST /api/calibrate   starts, goes on with, or begins afresh
@@ -13,6 +16,8 @@
 //   POST /api/test        saves it and runs it
 //   GET  /files/...       a file of the folder
 #pragma once
+#include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -45,17 +50,27 @@ class Api {
     bool here = false;
     int exit_code = -1;  ///< of what was started here and runs no more
   };
+  /// What calibration.json says in short, as long as it stays the same.
+  struct Brief {
+    std::array<std::uint64_t, 4> identity;  ///< of the file
+    Json json;
+  };
   int threads_;
   std::string file_token_;
   std::mutex changes_;  // one at a time
   std::mutex mutex_;    // of the following; while it is held, no file is read and nobody waited for
   std::map<std::string, std::unique_ptr<Child>> children_;  // by the folder of the results
   std::map<std::string, Ending> others_;                    // of what was not started here
+  std::map<std::string, Brief> briefs_;                     // by folder
 
   Response route(const Request& request);
+  Response changed(const Request& request);
   Json project();
-  Json rock(const std::string& name);
-  Json calibration(const std::string& name);
+  Json rock(const std::string& name, const std::string& chosen);
+  Json calibration(const std::string& name, const std::string& folder);
+  Json brief(const std::string& folder);
+  Json result_in_brief(const std::string& folder);
+  std::string state_of_calibration(const std::string& folder);
   Json test(const std::string& rock, const std::string& name);
   Json save(const Json& asked);
   Json calibrate(const Json& asked);

@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/hash.hpp"
 #include "base/quote.hpp"
+#include "gui/way_in.hpp"
 #include "io/file.hpp"
 #include "io/toml_tree.hpp"
 #include "rock/file.hpp"
@@ -158,18 +159,21 @@ std::string numbered(const std::string& rock, int k) {
   return k == 1 ? rock + "-calibration" : fmt::format("{}-calibration-{}", rock, k);
 }
 
-/// The largest number of a folder that is there; 0: none is.
-int last_calibration(const std::string& rock) {
-  int last = exists(numbered(rock, 1)) ? 1 : 0;
+/// Numbers of the folders that are there, the largest first.
+std::vector<int> calibration_numbers(const std::string& rock) {
+  std::vector<int> numbers;
+  if (exists(numbered(rock, 1))) numbers.push_back(1);
   const std::string stem = rock + "-calibration-";
   for (const std::string& path : io::list_folder(".")) {
     const std::string name = fs::path(path).filename().string();
     int k = 0;
     if (!name.starts_with(stem)) continue;
     const auto [end, error] = std::from_chars(name.data() + stem.size(), name.data() + name.size(), k);
-    if (error == std::errc() && name == numbered(rock, k) && fs::is_directory(name)) last = std::max(last, k);
+    if (error == std::errc() && k > 1 && name == numbered(rock, k) && fs::is_directory(name))
+      numbers.push_back(k);
   }
-  return last;
+  std::sort(numbers.rbegin(), numbers.rend());
+  return numbers;
 }
 
 /// A path from this folder, links followed; nothing: it leads out, or cannot be found.
@@ -183,11 +187,21 @@ std::optional<fs::path> below_home(const fs::path& path) {
 
 }  // namespace
 
-std::string calibration_of(const std::string& rock) {
-  return numbered(rock, std::max(1, last_calibration(rock)));
+std::vector<std::string> calibrations_of(const std::string& rock) {
+  std::vector<std::string> folders;
+  for (const int k : calibration_numbers(rock)) folders.push_back(numbered(rock, k));
+  return folders;
+}
+std::string calibration_of(const std::string& rock, const std::string& chosen) {
+  const std::vector<std::string> all = calibrations_of(rock);
+  if (chosen.empty()) return all.empty() ? numbered(rock, 1) : all.front();
+  if (std::find(all.begin(), all.end(), chosen) == all.end())
+    throw InputError(Problem{"", "calibration", chosen, "a calibration of this rock", ""});
+  return chosen;
 }
 std::string next_calibration_of(const std::string& rock) {
-  return numbered(rock, last_calibration(rock) + 1);
+  const std::vector<int> numbers = calibration_numbers(rock);
+  return numbered(rock, numbers.empty() ? 1 : numbers.front() + 1);
 }
 
 void check_inside(const std::string& path) {
@@ -214,6 +228,7 @@ std::optional<std::string> served_file(const std::string& path) {
       return {};
   const auto file = below_home(asked);
   if (!file || !fs::is_regular_file(*file, error)) return {};
+  if (file->filename() == way_in_file) return {};  // whoever reads it can do everything
   const auto is_hidden = [](const fs::path& part) { return part.string().starts_with('.'); };
   if (std::any_of(file->begin(), file->end(), is_hidden)) return {};
   return file->string();

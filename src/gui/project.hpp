@@ -42,8 +42,10 @@ std::string table_named_in(const std::string& toml, const std::string& otherwise
 std::string save_rock(const std::string& name, const std::string& toml,
                       const std::optional<std::string>& table, const std::string& stamp);
 
-/// The folder of the newest calibration, or of the first where there is none.
-std::string calibration_of(const std::string& rock);
+/// Folders of its calibrations, the newest first.
+std::vector<std::string> calibrations_of(const std::string& rock);
+/// The one that is meant: "" is the newest, or the first where there is none. Throws InputError.
+std::string calibration_of(const std::string& rock, const std::string& chosen = "");
 /// The one after that.
 std::string next_calibration_of(const std::string& rock);
 

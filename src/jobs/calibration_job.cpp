@@ -53,9 +53,7 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
     // Without a folder nobody can look, and there is nowhere to keep a picture.
     machine.store = begun_->store, machine.sink = &specimens_;
     watch_.emplace(request_.out);
-    machine.on_reading = [&](const Recipe& r, double strain, double stress) {
-      watch_->reading(r, strain, stress);
-    };
+    machine.on_reading = [&](const RunningTest& now) { watch_->reading(now); };
   }
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     clock_->tests(p);

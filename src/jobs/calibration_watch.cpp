@@ -6,27 +6,17 @@
 
 #include "base/clock.hpp"
 #include "io/file.hpp"
-#include "records/specimen_record.hpp"
-#include "records/test_description.hpp"
 
 namespace phy::jobs {
 namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr std::chrono::seconds period{1};
-constexpr std::size_t most_points = 400;  // of a curve on a screen
-
-void keep_every_second(std::vector<double>& values) {
-  for (std::size_t i = 1; 2 * i < values.size(); ++i) values[i] = values[2 * i];
-  values.resize((values.size() + 1) / 2);
-}
 
 }  // namespace
 
-CalibrationWatch::CalibrationWatch(const std::string& folder, std::chrono::seconds patience)
-    : file_((std::filesystem::path(folder) / watch_file).string()),
-      patience_(patience),
-      start_(Clock::now()) {
+CalibrationWatch::CalibrationWatch(const std::string& folder)
+    : file_((std::filesystem::path(folder) / watch_file).string()), press_(folder), start_(Clock::now()) {
   write_now();
 }
 
@@ -61,23 +51,9 @@ void CalibrationWatch::estimates(const std::vector<ParameterEstimate>& parameter
   write_now();
 }
 
-/// Nothing is shown until a test is heard again; one that runs on keeps its beginning.
 void CalibrationWatch::end_stage() {
-  tests_ = {}, shown_ = nullptr;
-  std::erase_if(pressed_, [&](const auto& p) { return Clock::now() - p.second.heard >= patience_; });
-}
-
-void CalibrationWatch::reading(const Recipe& test, double strain, double stress) {
-  const std::lock_guard lock(mutex_);
-  const Clock::time_point now = Clock::now();
-  Pressed& p = pressed_[&test];
-  if (p.strain.empty() || strain < p.strain.back())  // it starts, or another does at this address
-    p = {specimen_names(test).front(), test.test.kind->name, {}, {}, now};
-  p.heard = now;
-  p.strain.push_back(strain), p.stress.push_back(stress);
-  if (p.strain.size() > most_points) keep_every_second(p.strain), keep_every_second(p.stress);
-  if (shown_ == nullptr || now - pressed_[shown_].heard >= patience_) shown_ = &test;
-  if (shown_ == &test) write_soon();
+  tests_ = {};
+  press_.clear();
 }
 
 void CalibrationWatch::end(const std::string& state) {
@@ -96,8 +72,7 @@ std::string CalibrationWatch::text() const {
             {"n_total", tests_.n_total},
             {"seconds_left", left_ ? Json{left_->low, left_->high} : Json(nullptr)},
             {"said", said_},
-            {"parameters", Json::array()},
-            {"pressed", nullptr}};
+            {"parameters", Json::array()}};
   for (const Known& k : known_) {
     Json steps = Json::array();
     for (const Step& s : k.steps) steps.push_back({{"value", s.value}, {"low", s.low}, {"high", s.high}});
@@ -106,10 +81,6 @@ std::string CalibrationWatch::text() const {
                                {"unit", k.unit},
                                {"box", {k.box_low, k.box_high}},
                                {"steps", std::move(steps)}});
-  }
-  if (shown_ != nullptr) {
-    const Pressed& p = pressed_.at(shown_);
-    j["pressed"] = {{"specimen", p.name}, {"test", p.kind}, {"strain", p.strain}, {"stress", p.stress}};
   }
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

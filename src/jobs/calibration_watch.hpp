@@ -1,15 +1,15 @@
 // What can be seen of a calibration while it runs: a file in its folder, rewritten once a second, for pages
-// and scripts that follow it (docs/formats.md, "Calibration"). It says how far the tests have come, what is
-// known of the parameters after every batch, and how the specimen does that is in the press.
+// and scripts that follow it (docs/formats.md, "Calibration"). It says how far the tests have come and what
+// is known of the parameters after every batch. Beside it lies the specimen in the press (press_watch.hpp).
 #pragma once
 #include <chrono>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "calibrate/calibration.hpp"
+#include "jobs/press_watch.hpp"
 #include "jobs/time_left.hpp"
 
 namespace phy::jobs {
@@ -20,9 +20,8 @@ constexpr const char* watch_file = ".progress.json";
 /// All may be called from any thread. A file that cannot be written is no failure: nobody will see it.
 class CalibrationWatch {
  public:
-  /// `folder` is there. Writes at once. A test that has not been heard of for `patience` is over.
-  explicit CalibrationWatch(const std::string& folder,
-                            std::chrono::seconds patience = std::chrono::seconds(3));
+  /// `folder` is there. Writes at once.
+  explicit CalibrationWatch(const std::string& folder);
   /// Without an end the calibration has "failed".
   ~CalibrationWatch();
   CalibrationWatch(const CalibrationWatch&) = delete;
@@ -34,9 +33,7 @@ class CalibrationWatch {
              const std::optional<SecondsRange>& left);
   /// None: those of before are another model's.
   void estimates(const std::vector<ParameterEstimate>& parameters);
-  /// Of all tests that run one is shown, until it ends or falls silent, then the one that is heard next: the
-  /// curves of all are kept, so that each is shown from its beginning.
-  void reading(const Recipe& test, double strain, double stress);
+  void reading(const RunningTest& now) { press_.reading(now); }
   /// The last that is written: "finished", or "stopped" by the user.
   void end(const std::string& state);
 
@@ -50,11 +47,6 @@ class CalibrationWatch {
     double box_low, box_high;
     std::vector<Step> steps;
   };
-  struct Pressed {
-    std::string name, kind;
-    std::vector<double> strain, stress;
-    Clock::time_point heard;
-  };
   std::string file_;
   std::mutex mutex_;
   std::string state_ = "running";
@@ -63,9 +55,7 @@ class CalibrationWatch {
   calibrate::TestProgress tests_;
   TimeLeft::Place place_;
   std::optional<SecondsRange> left_;
-  std::map<const Recipe*, Pressed> pressed_;  // the addresses are names: never followed
-  const Recipe* shown_ = nullptr;             // of these
-  std::chrono::seconds patience_;
+  PressWatch press_;
   Clock::time_point start_, written_;
 
   std::string text() const;

@@ -28,7 +28,6 @@ ParameterEstimate estimate(const char* symbol, double value) {
 TEST_F(CalibrationWatchTest, SaysWhatIsKnownAfterEveryBatch) {
   CalibrationWatch watch(folder.string());
   EXPECT_EQ(now()["state"], "running");
-  EXPECT_TRUE(now()["pressed"].is_null());
   watch.begins("strength, batch 1 of 2", {}, {});
   watch.estimates({estimate("sigma_c", 10.0), estimate("mu", 0.5)});
   watch.begins("strength, batch 2 of 2", {}, {});
@@ -53,64 +52,6 @@ TEST_F(CalibrationWatchTest, WithoutAnEndItHasFailed) {
     watch.end("stopped");
   }
   EXPECT_EQ(now()["state"], "stopped");
-}
-
-TEST_F(CalibrationWatchTest, FollowsOneSpecimenFromItsBeginning) {
-  CalibrationWatch watch(folder.string());
-  Recipe first, second;
-  first.test.angles = {30.0}, second.test.angles = {60.0};
-  for (int i = 1; i <= 5; ++i) {
-    watch.reading(first, 0.001 * i, 1e6 * i);
-    watch.reading(second, 0.002 * i, 2e6 * i);  // not this one
-  }
-  watch.reading(first, 0.0005, 5e5);  // starts over
-  watch.estimates({});                // writes
-  const Json pressed = now()["pressed"];
-  EXPECT_EQ(pressed["specimen"], "theta = 30 deg");
-  EXPECT_THAT(pressed["strain"], ElementsAre(0.0005));
-}
-
-TEST_F(CalibrationWatchTest, TheNextSpecimenIsShownFromItsBeginning) {
-  CalibrationWatch watch(folder.string(), std::chrono::seconds(0));  // who has just been silent is over
-  Recipe first, second;
-  first.test.angles = {30.0}, second.test.angles = {60.0};
-  for (int i = 1; i <= 4; ++i)
-    watch.reading(first, 0.001 * i, 1e6 * i), watch.reading(second, 0.002 * i, 1e6);
-  watch.estimates({});  // writes
-  EXPECT_EQ(now()["pressed"]["specimen"], "theta = 60 deg");
-  EXPECT_THAT(now()["pressed"]["strain"], ElementsAre(0.002, 0.004, 0.006, 0.008));
-}
-
-TEST_F(CalibrationWatchTest, ATestThatRunsThroughAMessageKeepsItsBeginning) {
-  CalibrationWatch watch(folder.string());
-  const Recipe test;
-  watch.reading(test, 1e-3, 1e6);
-  watch.begins("the next batch", {}, {});
-  EXPECT_TRUE(now()["pressed"].is_null());
-  watch.reading(test, 2e-3, 2e6);
-  watch.estimates({});
-  EXPECT_THAT(now()["pressed"]["strain"], ElementsAre(1e-3, 2e-3));
-}
-
-TEST_F(CalibrationWatchTest, ALongCurveKeepsItsEnds) {
-  CalibrationWatch watch(folder.string());
-  const Recipe test;
-  for (int i = 0; i < 5000; ++i) watch.reading(test, 1e-6 * i, 1.0 * i);
-  watch.estimates({});
-  const auto strain = now()["pressed"]["strain"].get<std::vector<double>>();
-  EXPECT_LE(strain.size(), 401U);
-  EXPECT_GE(strain.size(), 200U);
-  EXPECT_EQ(strain.front(), 0.0);
-  EXPECT_GT(strain.back(), 0.00496);
-  EXPECT_TRUE(std::is_sorted(strain.begin(), strain.end()));
-}
-
-TEST_F(CalibrationWatchTest, BetweenBatchesNothingIsPressed) {
-  CalibrationWatch watch(folder.string());
-  const Recipe test;
-  watch.reading(test, 1e-3, 1e6);
-  watch.begins("elastic search", {}, {});
-  EXPECT_TRUE(now()["pressed"].is_null());
 }
 
 TEST_F(CalibrationWatchTest, AFolderThatIsGoneStopsNothing) {

@@ -338,6 +338,12 @@ void Procedure::move_to(engine::LaneGroup& group, int lane) {
   lane_ = lane;
 }
 
+SpecimenNow Procedure::now() const {
+  SpecimenNow now{frame(), {}};
+  for (const engine::Breakage& broken : group_->cracks(lane_)) now.cracks.push_back(broken.crack);
+  return now;
+}
+
 Procedure::Reading Procedure::latest() const {
   return result_.history.rows.empty() ? Reading{} : reading(result_.history.rows.back());
 }

@@ -28,6 +28,7 @@
 #include "lab/moments.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
+#include "records/running_test.hpp"
 #include "records/specimen.hpp"
 #include "records/test_description.hpp"
 
@@ -64,6 +65,8 @@ class Procedure {
   };
   /// After the last block; zeros before there is a row.
   Reading latest() const;
+  /// Grains and cracks as they are.
+  SpecimenNow now() const;
 
  protected:
   /// The boundary is in place: prepare, or call start_loading.

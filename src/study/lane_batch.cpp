@@ -90,7 +90,8 @@ void LaneBatch::work(const LaneHooks& hooks) {
     slot.seconds += use.seconds / n;
     bool over = slot.test->after_block();
     if (const lab::Procedure::Reading r = slot.test->latest(); hooks.reading)
-      hooks.reading(slot.job.index, r.strain, r.stress);
+      hooks.reading(slot.job.index, {*slot.job.specimen, *slot.job.recipe, r.strain, r.stress, over,
+                                     [&slot] { return slot.test->now(); }});
     // A test that has just ended keeps its result, even when the run is being stopped.
     if (!over && hooks.stopped()) slot.test->interrupt(), over = true;
     if (!over) continue;

@@ -39,7 +39,7 @@ struct LaneHooks {
   std::function<void(std::size_t index, TestResult)> done;
   std::function<void(const LaneUse& use, std::size_t n_grains)> block;
   std::function<bool()> stopped;
-  std::function<void(std::size_t index, double strain, double stress)> reading = nullptr;
+  std::function<void(std::size_t index, const RunningTest&)> reading = nullptr;
 };
 
 /// Numerics of a lane batch's group.

@@ -227,7 +227,7 @@ TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
   std::size_t n_later = 0;
   bool thrown = false;
   Hooks hooks;
-  hooks.on_reading = [&](std::size_t index, double, double) {
+  hooks.on_reading = [&](std::size_t index, const RunningTest&) {
     if (thrown) ++n_later, std::this_thread::sleep_for(milliseconds(1));
     if (index == 1) thrown = true, throw std::runtime_error("no room for a reading");
   };

@@ -130,11 +130,11 @@ void PlanQueue::count(double work) {
   if (hooks_.on_progress) hooks_.on_progress(progress_);
 }
 
-void PlanQueue::read(std::size_t test, double strain, double stress) {
+void PlanQueue::read(std::size_t test, const RunningTest& now) {
   // Without a listener no lock is taken, which happens once per block.
   if (!hooks_.on_reading) return;
   const std::lock_guard lock(mutex_);
-  hooks_.on_reading(test, strain, stress);
+  hooks_.on_reading(test, now);
 }
 
 Progress PlanQueue::progress() {

@@ -39,8 +39,8 @@ class TaskQueue {
   virtual void deliver(std::size_t test, TestResult result) = 0;
   /// Progress: cycles times grains.
   virtual void count(double work) = 0;
-  /// Of a running test: strain and stress [Pa].
-  virtual void read(std::size_t /*test*/, double /*strain*/, double /*stress*/) {}
+  /// A running test after a block.
+  virtual void read(std::size_t /*test*/, const RunningTest& /*now*/) {}
   virtual bool stopped() = 0;
 };
 
@@ -52,7 +52,7 @@ class PlanQueue : public TaskQueue {
   std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) override;
   void deliver(std::size_t test, TestResult result) override;
   void count(double work) override;
-  void read(std::size_t test, double strain, double stress) override;
+  void read(std::size_t test, const RunningTest& now) override;
   bool stopped() override { return closed_ || (hooks_.stop != nullptr && hooks_.stop->load()); }
   /// As if the user had stopped: something is broken.
   void close() { closed_ = true; }

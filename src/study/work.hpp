@@ -6,6 +6,7 @@
 
 #include "engine/isa.hpp"
 #include "records/result.hpp"
+#include "records/running_test.hpp"
 
 namespace phy::study {
 
@@ -37,8 +38,8 @@ struct Hooks {
   /// Finished, or interrupted where no store keeps it free for another run; may be moved from.
   std::function<void(std::size_t test, TestResult&)> on_result;
   std::function<void(const Progress&)> on_progress;
-  /// Strain and stress [Pa] of a running test after each block. Not of tests on other ranks.
-  std::function<void(std::size_t test, double strain, double stress)> on_reading = nullptr;
+  /// A running test after each block. Not of tests on other ranks.
+  std::function<void(std::size_t test, const RunningTest&)> on_reading = nullptr;
   const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
 };
 

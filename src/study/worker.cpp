@@ -139,7 +139,7 @@ class Worker {
               queue_.count(use.test_steps * static_cast<double>(n_grains));
             },
             [this] { return stopped(); },
-            [this](std::size_t test, double strain, double stress) { queue_.read(test, strain, stress); }};
+            [this](std::size_t test, const RunningTest& now) { queue_.read(test, now); }};
   }
   std::optional<Job> next(std::size_t batch) {
     while (!stopped()) {

@@ -195,7 +195,7 @@ export interface Report extends Omit<RawReport, "tests"> {
   tests: Test[];
 }
 
-function bytes(base64: string): Uint8Array {
+export function bytes(base64: string): Uint8Array {
   const known = Uint8Array as unknown as { fromBase64?: (text: string) => Uint8Array };
   if (known.fromBase64) return known.fromBase64(base64);
   const text = atob(base64);
@@ -204,9 +204,9 @@ function bytes(base64: string): Uint8Array {
   return out;
 }
 
-const f64 = (s: string) => new Float64Array(bytes(s).buffer as ArrayBuffer);
+export const f64 = (s: string) => new Float64Array(bytes(s).buffer as ArrayBuffer);
 const f32 = (s: string) => new Float32Array(bytes(s).buffer as ArrayBuffer);
-const u32 = (s: string) => new Uint32Array(bytes(s).buffer as ArrayBuffer);
+export const u32 = (s: string) => new Uint32Array(bytes(s).buffer as ArrayBuffer);
 
 export function readReport(): Report {
   const raw = JSON.parse(document.getElementById("report-data")!.textContent!) as RawReport;
@@ -259,8 +259,8 @@ export interface Scene {
   quantum: number; // of displacements [m]
   strains: number[];
   frames: Int16Array[]; // u_x, u_y of each disc in quanta
+  jointed: Uint8Array; // 1: the disc carries a joint
   links: Uint32Array; // a, b of each link
-  kinds: Uint8Array;
   forceStrains: number[];
   forceMax: number[];
   forces: Int8Array; // all fields, one after the other
@@ -332,6 +332,10 @@ export async function readScene(id: string, sign: number): Promise<Scene> {
     links[2 * i] = last;
     links[2 * i + 1] = last + b[i];
   }
+  const jointed = new Uint8Array(n);
+  kind.forEach((k, i) => {
+    if (k === 2) jointed[links[2 * i]] = jointed[links[2 * i + 1]] = 1;
+  });
   const forces = new Int8Array(head.n_links * head.forces.length);
   head.forces.forEach((_, k) => forces.set(next(), k * head.n_links));
   return {
@@ -341,8 +345,8 @@ export async function readScene(id: string, sign: number): Promise<Scene> {
     quantum: head["displacement_quantum [m]"],
     strains: head.frames.map((f) => sign * filedUnder(f)),
     frames,
+    jointed,
     links,
-    kinds: Uint8Array.from(kind),
     forceStrains: head.forces.map((f) => sign * filedUnder(f)),
     forceMax: head.forces.map((f) => f["F_max [N/m]"]),
     forces,

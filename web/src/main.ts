@@ -1,9 +1,10 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
-import { Calibration, Comparison, Estimate, Column, Line, Report, Test, Yardstick, lastUpTo, readReport } from "./data";
+import { Calibration, Comparison, Estimate, Column, Line, Report, Test, Yardstick, lastUpTo, readReport, readScene } from "./data";
 import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
 import { Drawn, Figure, Panel, axisLabel, draw, legend } from "./figure";
 import { friendly } from "./units";
-import { Field, Viewer, headHeight, ramps } from "./viewer";
+import { Field, ramps } from "./painter";
+import { Viewer, headHeight } from "./viewer";
 
 const report: Report = readReport();
 const main = document.getElementById("main")!;
@@ -215,7 +216,7 @@ function viewControls(v: Viewer, legend: HTMLElement): HTMLElement {
     labelled("Show", only),
     labelled("Colour", choice([["bedding", "bedding"], ["magnitude", "displacement"], ["horizontal", "displacement, horizontal"], ["vertical", "displacement, vertical"]], (value) => set(() => (v.state.field = value as Field)), "field")),
     labelled("Cracks", check("show-cracks", true, (on) => set(() => (v.state.cracks = on)))),
-    labelled("Contact forces", check("show-forces", false, (on) => set(() => (v.state.forces = on)))),
+    v.drawsForces && labelled("Contact forces", check("show-forces", false, (on) => set(() => (v.state.forces = on)))),
     labelled("Movement", magnify),
     factor,
     h("span", {}, button("+", "Zoom in", () => zoom(1.5)), " ", button("−", "Zoom out", () => zoom(1 / 1.5)), " ", button("Reset view", "Reset the view", () => set(() => Object.assign(v.state, { zoom: 1, x: 0, y: 0 })))),
@@ -318,7 +319,8 @@ function specimens() {
   }
   target.append(place, transport);
   try {
-    viewer = new Viewer(canvas, report.tests, report.axes.sign, () => {
+    const shown = report.tests.map((t) => ({ ...t, load: t.scene ? () => readScene(t.scene!, report.axes.sign) : null }));
+    viewer = new Viewer(canvas, shown, () => {
       overlay.replaceChildren();
       feet.length = 0;
       for (const cell of viewer!.cells) {

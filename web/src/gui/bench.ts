@@ -3,8 +3,9 @@ import { Child, fold, h, table } from "../dom";
 import { readable } from "../units";
 import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, plainly, select, stopper, textArea } from "./controls";
 import { bar, clock } from "./clock";
+import { liveView } from "./live";
 import { chosenBefore, keepChosen } from "./drafts";
-import { Key, RockTest, Project, RockAnswer, Tested, ask } from "./server";
+import { Brief, Key, RockTest, Project, RockAnswer, Tested, ask } from "./server";
 import { get, quoted, set } from "./toml";
 
 export interface BenchView {
@@ -30,6 +31,7 @@ interface Choices {
   name: string; // "": as proposed
   byHand: string | null; // the recipe, where it has been changed by hand
   started: string[]; // tests, in the order in which they were started here
+  calibration: string; // which one is tested; "": the one that is open, or else the newest
 }
 
 const last = (path: string) => path.slice(path.lastIndexOf(".") + 1);
@@ -93,9 +95,11 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const keys = project.keys.filter((k) => k.path !== "test.kind");
   const kinds = project.kinds.map((k) => k.name);
   const isKept = (k: Key) => project.kinds.some((kind) => kind.kept_stress === k.path);
-  let choices: Choices = { kind: project.kinds[0]?.name ?? "uniaxial", changes: {}, name: "", byHand: null, started: [], ...chosenBefore<Choices>(store) };
+  let choices: Choices = { kind: project.kinds[0]?.name ?? "uniaxial", changes: {}, name: "", byHand: null, started: [], calibration: "", ...chosenBefore<Choices>(store) };
   let recipe: Recipe | null = null;
   let chosen = ""; // the last recipe without problems
+  let tested: Brief[] = []; // calibrations with a model
+  let opened = ""; // the calibration that is open
   let of = ""; // which calibration the recipe is of
   let asked = 0;
   let taken: string[] = [];
@@ -106,6 +110,8 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     change({ kind: v });
     arrange();
   });
+  const base = select([], (v) => change({ calibration: v }));
+  const basePlace = field("Calibration that is tested", base);
   const name = input((v) => change({ name: v }, false));
   const area = textArea((t) => change({ byHand: t }, false), { id: "test-recipe" });
   const asChosen = button("Take the recipe as chosen again", () => change({ byHand: null }));
@@ -128,7 +134,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const form = h(
     "div",
     {},
-    field("Kind of test", kind),
+    h("div", { class: "fields" }, field("Kind of test", kind), basePlace),
     front,
     fold("More", more),
     general,
@@ -172,9 +178,14 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     draw();
   }
 
+  function calibration(): string {
+    const has = (folder: string) => tested.some((b) => b.folder === folder);
+    return has(choices.calibration) ? choices.calibration : has(opened) ? opened : (tested[0]?.folder ?? "");
+  }
+
   async function load() {
     const mine = ++asked;
-    const answer = await ask<Recipe>("/api/recipe", { name: rock, changes: { "test.kind": choices.kind, ...relevant() } });
+    const answer = await ask<Recipe>("/api/recipe", { name: rock, calibration: calibration(), changes: { "test.kind": choices.kind, ...relevant() } });
     if (mine !== asked) return;
     recipe = answer;
     chosen = answer.toml ?? chosen;
@@ -240,10 +251,15 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   return {
     node: h("div", {}, before, form, done),
     show(answer) {
-      const calibrated = answer.calibration.files.some((f) => f.endsWith("/calibrated.toml"));
+      tested = answer.calibrations.filter((b) => b.tested);
+      opened = answer.calibration.folder;
+      const calibrated = tested.length > 0;
+      basePlace.hidden = tested.length < 2;
+      keyed(base, tested.map((b) => b.folder), () => tested.map((b) => h("option", { value: b.folder }, `${b.folder}${b.verdict.status ? `: ${b.verdict.status}` : ""}`)));
+      base.value = calibration();
       before.hidden = calibrated;
       form.hidden = !calibrated;
-      const version = JSON.stringify(answer.calibration.verdict);
+      const version = JSON.stringify([calibration(), tested.find((b) => b.folder === calibration())?.errors]);
       if (calibrated && version !== of) void fetchRecipe();
       if (calibrated) of = version;
       taken = answer.tests.map((t) => t.name);
@@ -282,8 +298,10 @@ function testView(rock: string, name: string, changed: () => void) {
   const wrong = objections();
   const state = h("p", { class: "state", role: "status" });
   const [results, rest] = [h("div"), h("div")];
+  const id = `test-${name}`;
   const [busy, time] = [bar(`Specimens of ${name}`), clock()];
   const going = h("div", {}, busy.node, h("p", { class: "muted" }, time.node));
+  const live = liveView();
   const log = h("pre", { tabindex: "0" });
   const output = fold("Output of the program", log);
   const files = fileFold();
@@ -298,11 +316,12 @@ function testView(rock: string, name: string, changed: () => void) {
     }),
   );
   return {
-    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, going, h("div", { class: "tools" }, run, ...stop.nodes), wrong, results, rest, files.node, output),
+    node: h("article", { id, "aria-label": `Test ${name}` }, h("h3", {}, h("a", { href: `#${encodeURIComponent(id)}` }, name)), state, going, live.node, h("div", { class: "tools" }, run, ...stop.nodes), wrong, results, rest, files.node, output),
     show(t: RockTest) {
       const report = t.files.find((f) => f.endsWith("report.html"));
       keyed(state, [t.state, t.exit_code], () => [testState(t)]);
       going.hidden = t.state !== "running";
+      live.follow(t.state === "running" ? `/api/press?name=${encodeURIComponent(rock)}&test=${encodeURIComponent(name)}` : null);
       time.show(t.seconds);
       stop.show(t.state === "running");
       run.hidden = !["new", "stopped"].includes(t.state);

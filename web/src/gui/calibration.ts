@@ -1,20 +1,21 @@
 // A calibration: started, watched, stopped, gone on with, read.
-import { Child, fold, h } from "../dom";
+import { Child, fold, h, table } from "../dom";
 import { draw } from "../figure";
-import { Reach, growing, narrowing, reached } from "./charts";
+import { narrowing } from "./charts";
 import { bar, between, clock, duration } from "./clock";
 import { argument, attempt, button, command, counted, fileFold, fileLink, keyed, objections, stopper, worded } from "./controls";
 import { Figures } from "./figures";
+import { liveView } from "./live";
 import { optionForm } from "./options";
-import { Calibrating, Progress, Project, ask } from "./server";
+import { Brief, Calibrating, Progress, Project, RockAnswer, ask } from "./server";
 
 export interface CalibrationView {
   node: HTMLElement;
-  show(c: Calibrating, dirty: boolean, gone: boolean): void; // gone: there are no files to read
+  show(answer: RockAnswer, dirty: boolean, gone: boolean): void; // gone: there are no files to read
 }
 
 /** Has left no word on how it goes yet. */
-const justBegun: Progress = { state: "running", stage: "", seconds: 0, n_done: 0, n_total: 0, model: [0, 1], stages: [0, 0, 0], seconds_left: null, said: [], parameters: [], pressed: null };
+const justBegun: Progress = { state: "running", stage: "", seconds: 0, n_done: 0, n_total: 0, model: [0, 1], stages: [0, 0, 0], seconds_left: null, said: [], parameters: [] };
 
 function state(c: Calibrating): string {
   switch (c.state) {
@@ -31,18 +32,18 @@ function state(c: Calibrating): string {
   }
 }
 
-function watch() {
+/** `rock`: whose calibration it is. */
+function watch(rock: string) {
   const stage = h("p", { class: "stage" });
   const done = bar("Tests of this stage");
   const [tests, left, time] = [h("span"), h("span"), clock()];
-  const press = new Figures("grid small");
-  const reach = new Map<string, Reach>(); // of each kind of test: its axes do not jump from one specimen to the next
+  const live = liveView();
   const parameters = new Figures("grid parameters");
   const heading = h("h3", {}, "Parameters: estimate and 95 % interval, step by step, inside the values admitted");
   return {
-    node: h("div", { class: "watch" }, h("div", {}, stage, done.node, h("p", { class: "muted" }, tests, time.node, left)), press.node, heading, parameters.node),
-    /** `seconds`: of what runs; null: nothing does. */
-    show(p: Progress, seconds: number | null) {
+    node: h("div", { class: "watch" }, h("div", {}, stage, done.node, h("p", { class: "muted" }, tests, time.node, left)), live.node, heading, parameters.node),
+    /** `seconds`: of what runs in `folder`; null: nothing does. */
+    show(p: Progress, seconds: number | null, folder: string) {
       const running = seconds !== null;
       stage.textContent = p.state === "finished" ? "" : p.stage;
       done.node.hidden = !running;
@@ -53,9 +54,7 @@ function watch() {
       const place = kth > 0 ? `${model > 0 && models > 1 ? `model ${model} of at most ${models}, ` : ""}stage ${kth} of ${least === most ? most : `${least} to ${most}`}, ` : "";
       const known = place + (p.seconds_left === null ? "time left not known yet" : `${between(...p.seconds_left)} left`);
       left.textContent = running ? `, ${known}.` : `It took ${duration(p.seconds)}.`;
-      const now = running ? p.pressed : null;
-      const axes = now && reached(now, reach);
-      press.show(now ? [{ name: "In the press now", caption: [now.test.replaceAll("_", " "), now.specimen ?? (now.theta == null ? null : `θ = ${now.theta}°`)].filter(Boolean).join(", "), shown: [now, axes], draw: (width) => draw(growing(now, axes!), width).node }] : []);
+      live.follow(running ? `/api/press?name=${encodeURIComponent(rock)}&calibration=${encodeURIComponent(folder)}` : null);
       const some = p.parameters.filter((x) => x.steps.length > 0);
       heading.hidden = some.length === 0;
       parameters.show(some.map((x) => ({ name: x.symbol, shown: x, draw: (width) => draw(narrowing(x), width, { aspect: 0.4 }).node })));
@@ -77,28 +76,55 @@ function verdict(c: Calibrating): Child[] {
   ];
 }
 
-/** `ready` saves what has to be saved; it throws where that cannot be. */
-export function calibrationView(rock: string, project: Project, ready: () => Promise<void>, changed: () => void): CalibrationView {
+/** How far the model is off, on packings that the fit has not seen where there are such. */
+function errors(b: Brief): Child {
+  const row = b.errors.find((e) => e.of.includes("unseen")) ?? b.errors[0];
+  if (!row) return "–";
+  const said = (value: number, property: string) => (property === "nu" ? value.toFixed(3) : `${(100 * value).toFixed(1)}\u00a0%`);
+  return Object.entries(row).flatMap(([property, value]) => (typeof value === "number" ? [`${property} ${said(value, property)}`] : [])).join(", ");
+}
+
+/** All calibrations of a rock, one of them open. */
+function calibrationList(all: Brief[], openOne: string, choose: (folder: string) => void): HTMLElement {
+  const one = (b: Brief) => {
+    const link = button(b.folder, () => choose(b.folder), { class: "link" });
+    if (b.folder === openOne) link.setAttribute("aria-current", "true");
+    return link;
+  };
+  return table(
+    "Calibrations of this rock",
+    ["calibration", "begun", "state", "effort", "verdict", "error"],
+    all.map((b) => [one(b), `${duration(b.began)} ago`, b.state, b.effort ?? "–", b.verdict.status ?? "–", errors(b)]),
+    "Calibrations of this rock, the newest first",
+    [1, 2, 3, 4, 5],
+  );
+}
+
+/** `ready` saves what has to be saved; it throws where that cannot be. `choose` opens another calibration of the rock. */
+export function calibrationView(rock: string, project: Project, ready: () => Promise<void>, changed: () => void, choose: (folder: string) => void): CalibrationView {
   let now: Calibrating | null = null;
+  let opened = ""; // its folder; "": it is not there yet
   const options = optionForm(project.options, `phyllite calibration ${project.folder} ${rock}`, () => describe());
   const wrong = objections();
   const place = { state: h("p", { class: "state", role: "status" }), verdict: h("div"), command: h("div"), log: h("pre", { tabindex: "0" }) };
   const output = fold("Output of the program", place.log);
   const files = fileFold();
-  const live = watch();
+  const live = watch(rock);
+  const list = h("div");
 
   const begin = (how: { resume?: boolean; anew?: boolean }) =>
     attempt(wrong, async () => {
       if (!how.resume && options.wrong()) throw new Error("an option has no value that it can have; mend it first");
       await ready();
-      await ask("/api/calibrate", { name: rock, options: options.asked(), resume: false, anew: false, ...how });
+      await ask("/api/calibrate", { name: rock, calibration: how.anew ? "" : opened, options: options.asked(), resume: false, anew: false, ...how });
+      if (how.anew) choose(""); // the newest
       changed();
     });
   const start = button("Start calibration", () => begin({}), { class: "main" });
   const goOn = button("Go on", () => begin({ resume: true }), { class: "main" });
   const again = button("Calibrate anew", () => begin({ anew: true }));
   const stop = stopper("Stop", wrong, async () => {
-    await ask("/api/stop", { name: rock, test: null });
+    await ask("/api/stop", { name: rock, test: null, calibration: opened });
     changed();
   });
 
@@ -115,9 +141,15 @@ export function calibrationView(rock: string, project: Project, ready: () => Pro
   }
 
   return {
-    node: h("div", {}, place.state, place.verdict, options.node, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, place.command, live.node, files.node, output),
-    show(c, dirty, gone) {
+    node: h("div", {}, list, place.state, place.verdict, options.node, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, place.command, live.node, files.node, output),
+    show(answer, dirty, gone) {
+      const { calibration: c, calibrations } = answer;
       now = c;
+      opened = calibrations.some((b) => b.folder === c.folder) ? c.folder : "";
+      const minutes = calibrations.map((b) => [b.folder, b.state, b.verdict.status, Math.round(b.began / 60)]);
+      list.hidden = calibrations.length < 2;
+      if (!list.hidden) keyed(list, [minutes, c.folder], () => [calibrationList(calibrations, c.folder, choose)]);
+      const elsewhere = calibrations.some((b) => b.state === "running" && b.folder !== c.folder); // one at a time
       const running = c.state === "running";
       keyed(place.state, [c.state, c.here, c.exit_code], () => [state(c)]);
       options.node.hidden = running || gone;
@@ -126,11 +158,12 @@ export function calibrationView(rock: string, project: Project, ready: () => Pro
       start.textContent = dirty ? "Save and start calibration" : "Start calibration";
       goOn.hidden = gone || !(c.state === "stopped" || (c.state === "failed" && c.resumes));
       again.hidden = gone || running || !start.hidden;
+      for (const b of [start, goOn, again]) b.disabled = elsewhere;
       stop.show(running);
       describe();
       const progress = c.progress?.state === "running" || !running ? c.progress : justBegun; // else of the run before
       live.node.hidden = progress === null;
-      if (progress) live.show(progress, c.seconds);
+      if (progress) live.show(progress, c.seconds, c.folder);
       keyed(place.verdict, [c.verdict, c.files], () => verdict(c));
       files.show(c.files);
       const log = c.log || (c.progress?.said ?? []).join("\n"); // one that was started elsewhere has left no output

@@ -1,7 +1,7 @@
 // Figures of what is under way: how a calibration narrows its parameters, what is in the press.
 import { Panel, axis, series } from "../figure";
 import { readable } from "../units";
-import { Narrowing, Pressed } from "./server";
+import { Narrowing } from "./server";
 
 const panel = (x: Panel["x"], y: Panel["y"], some: Panel["series"]): Panel => ({ title: "", caption: "", x, y, right: null, series: some, framed: true, aside: false });
 
@@ -19,6 +19,13 @@ export function narrowing(p: Narrowing): Panel {
     series("line", "model", { x, y }),
     series("points", "model", { name: "estimate", x, y }),
   ]);
+}
+
+/** How the specimen in the press has done so far. */
+interface Pressed {
+  test: string;
+  strain: number[];
+  stress: number[]; // [Pa]
 }
 
 /** How far the axes go: strain [%], stress [MPa]. */

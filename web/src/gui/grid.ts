@@ -145,9 +145,16 @@ export class Grid {
   }
 
   private pasted(e: ClipboardEvent) {
-    const cells = block(e.clipboardData?.getData("text/plain") ?? "");
+    const pasted = e.clipboardData?.getData("text/plain") ?? "";
+    const cells = block(pasted);
     if (cells.length * cells[0].length === 1) return; // into the cell, where its caret stands
     e.preventDefault();
+    this.paste(pasted);
+  }
+
+  /** Where the focus is, or was; a block with headings in the place of the table. */
+  paste(pasted: string) {
+    const cells = block(pasted);
     const { text, replaced } = paste(this.text, this.at.line, this.at.column, cells, this.names);
     this.text = text;
     this.sheet = read(this.text);

@@ -1,22 +1,25 @@
 // The page to work in: lays it out, opens rocks, asks again and again how they are.
-import { h, theme } from "../dom";
+import { fold, h, theme } from "../dom";
 import { benchView } from "./bench";
 import { calibrationView } from "./calibration";
-import { argument, attempt, button, command, counted, field, input, keyed, nameOptions, objections } from "./controls";
+import { goTo, onReturn, placeNow } from "./address";
+import { attempt, button, counted, keyed, nameOptions, objections } from "./controls";
 import { draft, onDraft } from "./drafts";
 import { findingsView } from "./findings";
+import { redrawLive } from "./live";
 import { Rock } from "./rock";
 import { rockFileView } from "./rockfile";
 import { Checked, Gone, Project, Refused, RockAnswer, ask, askProject, onConnection } from "./server";
-import { tableView } from "./table";
+import { StartView, startView } from "./start";
+import { TableView, tableView } from "./table";
 
 const main = document.getElementById("main")!;
 const contents = document.getElementById("contents")!;
 const saving = document.getElementById("saving")!;
-const openKey = "phyllite open rock"; // of this tab
 
 let project: Project;
-let open: { rock: Rock; show: () => void; meet: (answer: RockAnswer) => void; running: boolean } | null = null;
+let open: { rock: Rock; table: TableView; show: () => void; meet: (answer: RockAnswer) => void; running: boolean } | null = null;
+let starting: StartView;
 
 function section(id: string, title: string, ...children: Node[]): HTMLElement {
   contents.append(h("li", {}, h("a", { href: `#${id}` }, title)));
@@ -42,14 +45,16 @@ const opening = objections();
 const rockList = h("ul", { class: "rocks" });
 const folder = h("p", { class: "muted" });
 const place = h("div");
+const first = h("div");
 
-const rockAddress = (name: string) => `/api/rock?name=${encodeURIComponent(name)}`;
+const another = fold("Another rock");
+const rockAddress = (name: string, calibration = "") => `/api/rock?name=${encodeURIComponent(name)}&calibration=${encodeURIComponent(calibration)}`;
 
 function listRocks() {
   const states = project.rocks.map((r) => [r.name, r.verdict ?? r.state, draft(project.folder, r.name) !== null, r.name === open?.rock.name]);
   keyed(rockList, states, () =>
     project.rocks.map((r) => {
-      const b = button(r.name, () => void attempt(opening, () => openRock(r.name)));
+      const b = button(r.name, () => void attempt(opening, () => visit(r.name)));
       b.append(h("small", {}, r.verdict ?? r.state, draft(project.folder, r.name) ? ", not saved" : ""));
       if (r.name === open?.rock.name) b.setAttribute("aria-current", "true");
       return h("li", {}, b);
@@ -57,25 +62,10 @@ function listRocks() {
   );
 }
 
-function newRock(): HTMLElement {
-  const asked = h("div");
-  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())}`)]), { required: "" });
-  const wrong = objections();
-  const form = h("form", {}, field("Name of the new rock", name), h("button", { type: "submit" }, "New rock"));
-  form.addEventListener("submit", (e) => {
-    e.preventDefault();
-    void attempt(wrong, async () => {
-      const wanted = name.value.trim();
-      if (project.rocks.some((r) => r.name === wanted)) throw new Error(`there is already a rock ${wanted}`);
-      const { table, toml, stamp } = await ask<RockAnswer>(rockAddress(wanted)); // as the program would begin it
-      await ask("/api/save", { name: wanted, table, toml, stamp });
-      name.value = "";
-      project = await askProject();
-      await openRock(wanted);
-      main.querySelector<HTMLInputElement>(".sheet tr.header input")?.focus();
-    });
-  });
-  return h("div", {}, form, wrong, asked);
+/** A rock that has just been written. */
+async function created(name: string) {
+  project = await askProject();
+  await visit(name);
 }
 
 // --- the rock that is open ------------------------------------------------------------------------------------
@@ -89,7 +79,7 @@ function layOut(answer: RockAnswer) {
   const table = tableView(project, (t, step) => rock.edit({ table: t }, step), () => rock.undo());
   const rockFile = rockFileView(project, (t, step) => rock.edit({ toml: t }, step));
   const findings = findingsView(name);
-  const calibration = calibrationView(name, project, ready, refresh);
+  const calibration = calibrationView(name, project, ready, refresh, (folder) => void attempt(opening, () => visit(name, folder)));
   const bench = benchView(name, project, refresh);
   const conflict = h("div");
   const wrong = objections();
@@ -119,7 +109,7 @@ function layOut(answer: RockAnswer) {
     back.disabled = !rock.canUndo;
     discard.hidden = !rock.dirty || rock.gone;
     save.title = `writes ${name}.toml${rock.text.table === null ? "" : `, ${answer.table_file}`}`;
-    calibration.show(answer.calibration, rock.dirty, rock.gone);
+    calibration.show(answer, rock.dirty, rock.gone);
     keyed(conflict, [rock.theirs, rock.gone], () => (rock.gone ? [gone()] : rock.theirs ? [choose()] : []));
     schedule();
     listRocks();
@@ -183,12 +173,12 @@ function layOut(answer: RockAnswer) {
   function meet(next: RockAnswer) {
     answer = next;
     rock.meet(next);
-    calibration.show(next.calibration, rock.dirty, rock.gone);
+    calibration.show(next, rock.dirty, rock.gone);
     bench.show(next);
-    if (open) open.running = next.calibration.state === "running" || next.tests.some((t) => t.state === "running");
+    if (open) open.running = next.calibrations.some((c) => c.state === "running") || next.tests.some((t) => t.state === "running");
   }
 
-  open = { rock, show, meet, running: false };
+  open = { rock, table, show, meet, running: false };
   document.getElementById("title")!.textContent = name;
   document.title = `${name} – Phyllite`;
   show();
@@ -196,10 +186,39 @@ function layOut(answer: RockAnswer) {
   meet(answer);
 }
 
-async function openRock(name: string) {
-  const answer = await ask<RockAnswer>(rockAddress(name));
-  sessionStorage.setItem(openKey, name);
+/** Shows what the address names. */
+async function arrive() {
+  const { rock, calibration } = placeNow();
+  if (rock === "") return leave();
+  const answer = await ask<RockAnswer>(rockAddress(rock, calibration));
+  if (open?.rock.name === rock) return open.meet(answer);
   layOut(answer);
+  another.open = false;
+  arrange();
+  document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
+}
+
+/** No rock is open. */
+function leave() {
+  if (!open) return;
+  open = null;
+  contents.querySelectorAll("li:not(:first-child)").forEach((l) => l.remove());
+  place.replaceChildren();
+  saving.replaceChildren();
+  document.getElementById("title")!.textContent = document.title = "Phyllite";
+  arrange();
+  listRocks();
+}
+
+/** The ways to begin stand open as long as no rock does. */
+function arrange() {
+  another.hidden = open === null;
+  (open ? another : first).append(starting.node);
+}
+
+async function visit(rock: string, calibration = "") {
+  goTo({ rock, calibration });
+  await arrive();
 }
 
 // --- time passes ----------------------------------------------------------------------------------------------
@@ -213,8 +232,9 @@ async function look() {
   try {
     const name = open?.rock.name;
     if (name) {
-      const answer = await ask<RockAnswer>(rockAddress(name));
-      if (open?.rock.name === name) open.meet(answer);
+      const { calibration } = placeNow();
+      const answer = await ask<RockAnswer>(rockAddress(name, calibration));
+      if (open?.rock.name === name && placeNow().calibration === calibration) open.meet(answer);
     }
     if (!open?.running || turn % 4 === 0) project = await askProject();
     stranger.hidden = trouble.hidden = true;
@@ -246,6 +266,27 @@ addEventListener("keydown", (e) => {
   e.preventDefault();
   saving.querySelector<HTMLButtonElement>("button.main")?.click();
 });
+onReturn(() => void attempt(opening, arrive));
+
+// --- what is pasted or dropped beside all fields ---------------------------------------------------------------
+
+const isField = (target: EventTarget | null) => target instanceof Element && target.closest("input, textarea, select") !== null;
+addEventListener("paste", (e) => {
+  const text = e.clipboardData?.getData("text/plain") ?? "";
+  if (isField(e.target) || e.defaultPrevented || text.trim() === "") return;
+  e.preventDefault();
+  if (open) open.table.paste(text);
+  else void starting.bring(text, "");
+});
+addEventListener("dragover", (e) => {
+  if (e.dataTransfer?.types.includes("Files")) e.preventDefault(); // else the browser opens the file in place of the page
+});
+addEventListener("drop", (e) => {
+  const file = e.dataTransfer?.files[0];
+  if (!file) return;
+  e.preventDefault();
+  void starting.bringFile(file);
+});
 onDraft(
   () => (open ? [project.folder, open.rock.name] : null),
   () => {
@@ -255,7 +296,7 @@ onDraft(
 );
 
 async function start() {
-  theme(() => {}, localStorage);
+  theme(redrawLive, localStorage);
   try {
     project = await askProject();
   } catch (error) {
@@ -266,10 +307,14 @@ async function start() {
   nameOptions(project.options);
   document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${project.threads} threads`;
   folder.textContent = "A rock is two files of this folder: a table of tests and a rock file.";
-  main.append(section("rocks", "Rocks", folder, rockList, opening, newRock()), place);
+  starting = startView(() => project, created, () => document.getElementById("calibration")!.scrollIntoView());
+  main.append(section("rocks", "Rocks", folder, rockList, opening, first, another), place);
+  arrange();
   listRocks();
-  const wanted = sessionStorage.getItem(openKey) ?? (project.rocks.length === 1 ? project.rocks[0].name : null);
-  if (wanted && (project.rocks.some((r) => r.name === wanted) || draft(project.folder, wanted))) await attempt(opening, () => openRock(wanted));
+  if (placeNow().rock === "" && project.rocks.length === 1) goTo({ rock: project.rocks[0].name, calibration: "" }, true);
+  const wanted = placeNow().rock;
+  if (wanted && !project.rocks.some((r) => r.name === wanted) && !draft(project.folder, wanted)) opening.textContent = `There is no rock ${wanted} in this folder.`;
+  else await attempt(opening, arrive);
   document.documentElement.dataset.ready = "true";
   void watch();
 }

@@ -33,6 +33,7 @@ export interface Project {
   kinds: { name: string; title: string; kept_stress?: string }[]; // path of the stress that the test keeps
   keys: Key[];
   options: Option[];
+  measured: string[]; // rocks that come with the program
 }
 
 /** The two files of a rock. */
@@ -54,14 +55,6 @@ export interface Narrowing {
   steps: Step[]; // of the search
 }
 
-export interface Pressed {
-  test: string;
-  specimen?: string;
-  theta?: number | null;
-  strain: number[];
-  stress: number[]; // [Pa]
-}
-
 export interface Progress {
   state: string;
   stage: string;
@@ -73,7 +66,6 @@ export interface Progress {
   seconds_left: [number, number] | null; // a range
   said: string[];
   parameters: Narrowing[];
-  pressed: Pressed | null;
 }
 
 export interface Run {
@@ -92,6 +84,17 @@ export interface Calibrating extends Run {
   resumes: boolean; // there is something to go on with
   progress: Progress | null;
   verdict: { status: string; sentence: string; lines: string[]; findings: { text: string }[] } | null;
+}
+
+/** One calibration of a rock among others. */
+export interface Brief {
+  folder: string;
+  state: State;
+  verdict: { status: string | null };
+  errors: ({ of: string } & Record<string, number | string>)[]; // root mean squares
+  effort: string | null;
+  tested: boolean; // it has left a model that can be tested
+  began: number; // seconds ago
 }
 
 /** A specimen of a test. */
@@ -116,7 +119,8 @@ export interface RockAnswer extends Files {
   table_file: string;
   stamp: string; // of both files as they lie on disk
   exists: boolean; // else they are what the program would begin with
-  calibration: Calibrating;
+  calibration: Calibrating; // the one that is open
+  calibrations: Brief[]; // all, the newest first
   tests: RockTest[];
 }
 
@@ -194,13 +198,17 @@ let connected: (answers: boolean) => void = () => {};
 export const onConnection = (tell: (answers: boolean) => void) => (connected = tell);
 
 /** GET without a body, else POST. Throws Refused or Gone. */
-export async function ask<T>(path: string, body?: unknown): Promise<T> {
-  const method = body === undefined ? "GET" : "POST";
-  const headers: Record<string, string> = { "X-Phyllite-Token": token, ...(body === undefined ? {} : { "Content-Type": "application/json" }) };
+export const ask = <T>(path: string, body?: unknown) => (body === undefined ? request<T>(path, "GET") : request<T>(path, "POST", JSON.stringify(body), "application/json"));
+
+/** A file as it is. Throws the same. */
+export const upload = <T>(path: string, file: File) => request<T>(path, "POST", file, "application/octet-stream");
+
+async function request<T>(path: string, method: string, body?: string | File, type?: string): Promise<T> {
+  const headers: Record<string, string> = { "X-Phyllite-Token": token, ...(type ? { "Content-Type": type } : {}) };
   let answer: Response;
   let content: unknown;
   try {
-    answer = await fetch(path, { method, headers, body: JSON.stringify(body), cache: "no-store", signal: AbortSignal.timeout(30000) });
+    answer = await fetch(path, { method, headers, body, cache: "no-store", signal: AbortSignal.timeout(30000) });
     content = await answer.json().catch(() => ({}));
   } catch {
     connected(false);

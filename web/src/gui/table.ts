@@ -9,6 +9,7 @@ export interface TableView {
   node: HTMLElement;
   show(text: string | null, file: string): void;
   mark(checked: Checked | null): void;
+  paste(text: string): void; // what was pasted beside all fields
 }
 
 export function tableView(project: Project, edit: (table: string, step: string) => void, undo: () => void): TableView {
@@ -90,6 +91,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
       keyed(files, file, () => [h("p", { class: "muted" }, "The file: ", h("code", {}, file))]);
       draw();
     },
+    paste: (pasted) => text !== null && grid.paste(pasted),
     mark(checked) {
       found = checked?.problems.filter((p) => p.where === "table") ?? [];
       say();

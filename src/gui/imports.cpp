@@ -1,0 +1,38 @@
+#include "gui/imports.hpp"
+
+#include "base/check.hpp"
+#include "base/quote.hpp"
+#include "io/table.hpp"
+#include "jobs/rock_base.hpp"
+
+namespace phy::gui {
+namespace {
+
+std::string line_of(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+  return line + "\n";
+}
+
+}  // namespace
+
+Json table_from(std::string_view bytes, const std::string& file) {
+  const io::Table table = io::parse_table(bytes, file);
+  if (table.header.empty() && !table.problems.empty()) throw InputError(table.problems);
+  if (table.header.empty())
+    throw InputError(Problem{file, "", "", "a table: a row of headings, and values below them", ""});
+  std::string text = line_of(table.header);
+  for (const io::TableRow& row : table.rows) text += line_of(row.cells);
+  return {{"table", text}};
+}
+
+Json rock_like(const std::string& measured) {
+  Json j;
+  for (const jobs::BaseFile& f : jobs::base_files(measured)) {
+    if (f.name == "rock.toml") j["toml"] = f.text;
+    if (f.name == "table.csv") j["table"] = f.text;
+  }
+  return j;
+}
+
+}  // namespace phy::gui

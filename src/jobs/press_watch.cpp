@@ -1,0 +1,149 @@
+#include "jobs/press_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "io/base64.hpp"
+#include "io/file.hpp"
+#include "records/test_description.hpp"
+#include "report/palette.hpp"
+
+namespace phy::jobs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int press_format = 1;
+constexpr std::chrono::milliseconds period{250};  // between pictures: costs some 0.5 % of one core
+constexpr std::chrono::milliseconds linger{400};  // in which an ended test is still shown
+constexpr std::size_t most_points = 400;          // of a curve on a screen
+constexpr double size_steps = 60000.0;            // across the specimen, from its centre: within 16 bits
+constexpr double finest = 0.25e-6, largest_steps = 32000.0;  // of displacements, as in scenes
+
+void keep_every_second(std::vector<double>& values) {
+  for (std::size_t i = 1; 2 * i < values.size(); ++i) values[i] = values[2 * i];
+  values.resize((values.size() + 1) / 2);
+}
+
+/// Rounded into 16 bits; what a blown-up test leaves, which may be no number, becomes 0 or the largest.
+std::int16_t steps(double value, double quantum) {
+  const double s = value / quantum;
+  return std::isnan(s) ? std::int16_t{0}
+                       : static_cast<std::int16_t>(std::lround(std::clamp(s, -32767.0, 32767.0)));
+}
+
+template <class T>
+std::string packed(const std::vector<T>& numbers) {
+  return io::base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+}
+
+double quantum_of(const Packing& p) { return std::max({p.width, p.height, 1e-9}) / size_steps; }
+
+/// What does not change in the course of a test: without the bracket that would close it.
+std::string head_of(const RunningTest& test) {
+  const Packing& packing = *test.specimen.packing;
+  const double quantum = quantum_of(packing);
+  std::vector<std::int16_t> discs;
+  for (const Disc& d : packing.discs)
+    for (const double part : {d.x - 0.5 * packing.width, d.y - 0.5 * packing.height, d.r})
+      discs.push_back(steps(part, quantum));
+  std::vector<std::uint8_t> jointed(packing.discs.size(), 0);
+  for (const Contact& c : test.specimen.contacts)
+    if (c.kind == ContactKind::joint) jointed[c.a] = jointed[c.b] = 1;
+  Json bedding = Json::array();
+  for (const BeddingRecipe& b : test.specimen.bedding)
+    if (b.is_regular() && b.layer_thickness == 0.0)
+      bedding.push_back({{"theta", b.theta}, {"spacing", b.spacing}, {"offset", b.offset}});
+  const Json head = {
+      {"format", press_format},      {"specimen", test.specimen.name}, {"test", test.recipe.test.kind->name},
+      {"width [m]", packing.width},  {"height [m]", packing.height},   {"bedding", bedding},
+      {"crack_kinds", report::crack_names},
+      {"disc_quantum [m]", quantum}, {"discs", packed(discs)},         {"jointed", packed(jointed)}};
+  std::string text = head.dump(-1, ' ', false, Json::error_handler_t::replace);
+  text.pop_back();
+  return text;
+}
+
+Json cracks_json(const std::vector<CrackEvent>& cracks, double quantum) {
+  std::vector<std::uint32_t> pairs;
+  std::vector<std::int16_t> shapes;
+  std::vector<std::uint8_t> kinds;
+  for (const CrackEvent& c : cracks) {
+    pairs.insert(pairs.end(), {c.a, c.b});
+    shapes.insert(shapes.end(), {steps(c.normal.x, 1.0 / 32767.0), steps(c.normal.y, 1.0 / 32767.0),
+                                 steps(c.size, quantum)});
+    kinds.push_back(static_cast<std::uint8_t>(report::crack_kind(c)));
+  }
+  return {{"pairs", packed(pairs)}, {"shapes", packed(shapes)}, {"kinds", packed(kinds)}};
+}
+
+double displacement_quantum(const Frame& frame) {
+  double largest = 0.0;
+  for (const auto& u : frame.u)
+    for (const float part : u)
+      if (std::isfinite(part)) largest = std::max(largest, std::abs(static_cast<double>(part)));
+  return std::max(finest, largest / largest_steps);
+}
+
+}  // namespace
+
+PressWatch::PressWatch(const std::string& folder, std::chrono::milliseconds patience)
+    : file_((std::filesystem::path(folder) / press_file).string()), patience_(patience) {}
+
+PressWatch::~PressWatch() { clear(); }
+
+void PressWatch::clear() {
+  const std::lock_guard lock(mutex_);
+  shown_ = nullptr;
+  std::erase_if(pressed_,
+                [&](const auto& p) { return p.second.over || Clock::now() - p.second.heard >= patience_; });
+  std::error_code none;
+  std::filesystem::remove(file_, none);
+}
+
+bool PressWatch::shown_is_over(Clock::time_point now) const {
+  if (shown_ == nullptr) return true;
+  const Pressed& p = pressed_.at(shown_);
+  return now - p.heard >= (p.over ? linger : patience_);
+}
+
+void PressWatch::choose(const RunningTest& test, Clock::time_point now) {
+  if (test.over || &test.specimen == shown_ || !shown_is_over(now)) return;
+  if (shown_ != nullptr && pressed_.at(shown_).over) pressed_.erase(shown_);
+  shown_ = &test.specimen;
+  written_ = {};  // a new one is seen at once
+}
+
+void PressWatch::reading(const RunningTest& test) {
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  Pressed& p = pressed_[&test.specimen];
+  // It starts, or another does at this address.
+  if (p.over || (!p.strain.empty() && test.strain < p.strain.back())) p = {};
+  p.heard = now, p.over = test.over;
+  if (test.strain > 0.0 || p.strain.empty()) p.strain.push_back(test.strain), p.stress.push_back(test.stress);
+  if (p.strain.size() > most_points) keep_every_second(p.strain), keep_every_second(p.stress);
+  choose(test, now);
+  if (shown_ == &test.specimen && (test.over || now - written_ >= period)) write(test, p);
+  if (test.over && shown_ != &test.specimen) pressed_.erase(&test.specimen);
+}
+
+void PressWatch::write(const RunningTest& test, Pressed& p) {
+  written_ = Clock::now();
+  if (p.head.empty()) p.head = head_of(test);
+  const SpecimenNow seen = test.look();
+  const double quantum = displacement_quantum(seen.moved);
+  std::vector<std::int16_t> moves;
+  for (const auto& u : seen.moved.u)
+    for (const float part : u) moves.push_back(steps(static_cast<double>(part), quantum));
+  const Json now = {
+      {"over", p.over},          {"strain", p.strain},
+      {"stress [Pa]", p.stress}, {"displacement_quantum [m]", quantum},
+      {"moves", packed(moves)},  {"cracks", cracks_json(seen.cracks, quantum_of(*test.specimen.packing))}};
+  // Not synced to the disk, as results are: the workers wait meanwhile.
+  io::write_passing(file_, p.head + "," + now.dump().substr(1) + "\n");
+}
+
+}  // namespace phy::jobs
