@@ -38,6 +38,9 @@ phyllite calibrate mine.toml --out results/mine
 Errors are root mean squares on packings that the fit has not seen: the median over the first packings of the card, and their range.
 "Left out" is the error of values predicted without their own measurement, over the error of the best curve.
 
+A rock's table "how the model fails" has two numbers for each angle: the share of cracks along the bedding, and the angle of the
+[plane of failure](theory/failure-plane.md) in degrees. With "none", less than half of the specimens have a plane.
+
 """
 
 BORYEONG_HEAD = """# Boryeong shale, the paper's rock
@@ -152,7 +155,7 @@ def plane_words(failure):
 
 def failure_table(card):
     """A row per kind of test and stress; a cell per angle: share of cracks along the bedding, plane of failure."""
-    cells = [c for c in card.get("cells", []) if "failure" in c and c["theta [deg]"] is not None]
+    cells = [c for c in card.get("cells", []) if c.get("failure", {}).get("bedding_share") is not None]
     kinds = list(dict.fromkeys(name_of(c | {"theta [deg]": None}) for c in cells))
     angles = sorted({c["theta [deg]"] for c in cells})
     rows = []
@@ -163,9 +166,7 @@ def failure_table(card):
             rows.append(["laboratory"] + [f"{of[a]['laboratory [deg]']:g}" for a in angles])
     if not rows:
         return ""
-    return ("How specimens of the model fail, by the inclination of the bedding in degrees: cracks along the bedding, and "
-            "[plane of failure](theory/failure-plane.md) where half of the specimens have one.\n\n"
-            + table(["test"] + [f"{a:g}" for a in angles], rows) + "\n")
+    return ("[How the model fails](rocks.md#the-list), at each inclination:\n\n" + table(["test"] + [f"{a:g}" for a in angles], rows) + "\n")
 
 
 def section(card):
@@ -222,7 +223,7 @@ def paper_page(card, picture):
     text += "\nThe paper's sequence begins with E. The table has none, so that `--method sequence` cannot be compared here.\n"
     text += "\n" + failure_table(card)
     text += "## Where it misses, and why\n" + f"The largest error is at {worst['theta [deg]']:g} degrees: {100 * worst['error']:+.1f} %.\n\n"
-    text += weak_plane_words({c["theta [deg]"]: c["laboratory"] for c in cells}) + "\n" + tried_table()
+    text += weak_plane_words({c["theta [deg]"]: c["laboratory"] for c in cells}) + tried_table()
     text += "".join(f"{c}\n" for c in card["verdict"]["causes"]) + "\n" + "".join(f"- {c}\n" for c in card["cautions"])
     return text.rstrip() + "\n"
 
@@ -244,7 +245,7 @@ def weak_plane_words(values):
         return [v - statistics.fmean(logs) for v in logs]
 
     nearest = min((errors(mu) for mu in grid), key=lambda e: sum(v * v for v in e))
-    return (f"No single plane has these three values:\n\n"
+    return (f"No single plane has the values at 45, 60 and 75 degrees:\n\n"
             f"- UCS at 45 over 60 degrees is {values[45] / values[60]:.2f}. A plane with a friction of {friction:.2f} has that.\n"
             f"- UCS at 75 over 60 degrees is {values[75] / values[60]:.2f}. That plane has {slip(75, friction) / slip(60, friction):.2f}, "
             f"a plane without friction {slip(75, 0) / slip(60, 0):.2f}.\n"

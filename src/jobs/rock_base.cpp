@@ -27,7 +27,8 @@ void check_known(const std::string& name) {
   const std::vector<std::string> names = base_rocks();
   if (std::ranges::find(names, name) != names.end()) return;
   std::vector<std::string> meant;  // whoever types "gneiss" means one of several
-  std::ranges::copy_if(names, std::back_inserter(meant), [&](const std::string& n) { return n.find(name) != n.npos; });
+  std::ranges::copy_if(names, std::back_inserter(meant),
+                       [&](const std::string& n) { return n.find(name) != n.npos; });
   if (const std::string near = nearest(name, names); meant.empty() && !near.empty()) meant = {near};
   throw InputError(Problem{"measured rocks", "name", name, "a measured rock",
                            meant.empty() ? "phyllite rocks lists them"

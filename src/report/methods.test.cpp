@@ -51,7 +51,8 @@ TEST(Methods, AMatrixOfFlatJoints) {
 
 TEST(Methods, RadiiHaveFourDigits) {
   Recipe r;
-  r.packing.n_grains = 684, r.packing.radius_min = 0.25e-3 * 3.30712345678901, r.packing.radius_max = 1.3725e-3;
+  r.packing.n_grains = 684, r.packing.radius_min = 0.25e-3 * 3.30712345678901,
+  r.packing.radius_max = 1.3725e-3;
   const std::string text = methods({test_of(r, "intact", peaked, {{1e-3, 50}, {2e-3, 100}})});
   EXPECT_THAT(text, AllOf(HasSubstr("0.8268 mm"), Not(HasSubstr("0.82678"))));
 }

@@ -83,8 +83,9 @@ std::string failure_text(const Json& card, int terminal_width) {
   const auto number = [](const char* key, double unit) {
     return [key, unit](const Json& cell) {
       const Json& of = cell.at("failure");
-      return !of.contains(key) || of.at(key).is_null() ? std::string("-")
-                                                      : fmt::format("{:.0f}", of.at(key).get<double>() * unit);
+      return !of.contains(key) || of.at(key).is_null()
+                 ? std::string("-")
+                 : fmt::format("{:.0f}", of.at(key).get<double>() * unit);
     };
   };
   Column test = column_of("how the model fails", "", rows, cell_text);

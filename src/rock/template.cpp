@@ -32,7 +32,7 @@ elastic_reading = "plane stress"
 #                               # magnified to the size below
 # layers = "choose"             # "choose", "planes" (smooth joints), "directions" (of the bonds),
 #                               # "planes and directions", "planes with bridges" (joints on a share of them)
-# matrix = "choose"             # "choose", "parallel_bond", "flat_joint" (UCS many times the tensile strength)
+# matrix = "choose"             # "choose", "parallel_bond", "flat_joint" (UCS far above tension)
 # grain_size = "3 mm"           # mean diameter of the model's grains: coarse ones are quick, fine ones
 #                               # nearer to the rock; without it K_Ic is not fitted
 # sheet = "Results"             # of a workbook; default: the first
