@@ -4,7 +4,8 @@
     python3 tools/rocks.py PROGRAM [--only NAME ...] [--effort quick] [--seeds 1] [--write-only]
 
 data/rocks/plan.toml says what is run: seeds, efforts, predictions. Folders of results/rocks are resumed: what is finished and of the same
-table, plan and program is not run again, and tests of an older program are taken from its store where they are the same. Then come
+table, plan and program is not run again; of another program every calibration is gone through again, with the tests of its store where they are
+the same. A changed rock.toml, table or plan of a rock begins its folder anew. Then come
 data/rocks/NAME/card.json and calibrated.toml, docs/rocks.md, docs/boryeong.md and measured/rocks.csv. --effort and --seeds are for trials:
 what they write lies in results/rocks/trial. --write-only runs nothing.
 """
@@ -72,16 +73,45 @@ class Run:
         return words + (["--resume"] if (out / "request.toml").exists() else [])
 
     def prepare(self):
-        """What lies there stays where it is of the same table and plan; else the folder begins anew."""
-        asked = digest(self.rock, self.table, *self.options)
-        stamp = self.folder / "asked"
-        if stamp.exists() and stamp.read_text() == asked:
-            return
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self.folder.mkdir(parents=True)
-        (self.folder / "rock.toml").write_text(self.rock, encoding="utf-8")
-        (self.folder / "table.csv").write_text(self.table, encoding="utf-8")
-        stamp.write_text(asked)
+        if begin(self.folder, digest(self.rock, self.table, *self.options)):
+            (self.folder / "rock.toml").write_text(self.rock, encoding="utf-8")
+            (self.folder / "table.csv").write_text(self.table, encoding="utf-8")
+
+    def perform(self, program, now):
+        self.prepare()
+        command = self.command(program)
+        code = timed(command, self.folder, self.result, now)
+        if code == 2 and "--resume" in command:  # begun by a program that asked another question
+            shutil.rmtree(self.folder)
+            self.prepare()
+            timed(self.command(program), self.folder, self.result, now)
+
+
+class Study:
+    """One study of a model that is set by hand: its tests as a table."""
+
+    def __init__(self, folder, name, file):
+        self.folder, self.options = folder, []
+        self.source = BASE / name / file
+        self.result = folder / "specimens.csv"
+
+    def perform(self, program, now):
+        recipe = re.search(r'^recipe = "(.*)"', self.source.read_text(encoding="utf-8"), re.M)[1]
+        begin(self.folder, digest(*(p.read_text(encoding="utf-8") for p in (self.source, self.source.parent / recipe))))
+        out = self.folder / "study"
+        timed([program, "--threads", "1", "study", self.source, "--out", out], self.folder, out / "results.csv", now)
+        subprocess.run([program, "study", "export", out, "--csv", self.result], check=True, cwd=ROOT)
+
+
+def begin(folder, asked):
+    """What lies there stays where the same was asked, table and plan or study; else the folder begins anew. Was it begun?"""
+    stamp = folder / "asked"
+    if stamp.exists() and stamp.read_text() == asked:
+        return False
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    stamp.write_text(asked)
+    return True
 
 
 def timed(command, folder, result, now):
@@ -100,17 +130,6 @@ def timed(command, folder, result, now):
     if child.returncode in (0, 2) or child.returncode == 1 and written:
         mark.write_text(f"{now} {child.returncode}")
     return child.returncode
-
-
-def calibrate(run, program, now):
-    run.prepare()
-    command = run.command(program)
-    code = timed(command, run.folder, run.result, now)
-    if code == 2 and "--resume" in command:  # begun by a program that asked another question
-        shutil.rmtree(run.folder)
-        run.prepare()
-        code = timed(run.command(program), run.folder, run.result, now)
-    return code
 
 
 def test_of(prediction, sigma_3):
@@ -151,10 +170,15 @@ class Work:
     def __init__(self, plan, names, seeds, effort, results):
         self.results = results
         seeds_of = lambda entry: seeds or entry.get("seeds", plan["seeds"])
-        self.runs = {n: [Run(results / n / str(s), n, s, options_of(plan, n, effort)) for s in seeds_of(plan["rock"][n])] for n in names}
+        calibrations = lambda n: [Run(results / n / str(s), n, s, options_of(plan, n, effort)) for s in seeds_of(plan["rock"][n])]
+        study = lambda n: plan["rock"][n].get("study")
+        self.runs = {n: [Study(results / n / "study", n, study(n))] if study(n) else calibrations(n) for n in names}
         self.predictions = []
         for p in plan["prediction"]:
             if p["rock"] not in names:
+                continue
+            if p["model"] == "study":
+                self.predictions.append((p, []))  # read off the study itself
                 continue
             own = not (p.keys() & {"without_rows", "without_columns"}) and p["model"] == "choose"
             runs = self.runs[p["rock"]] if own else [
@@ -171,7 +195,7 @@ class Work:
         now = program_now()
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
             try:
-                self.finish({pool.submit(calibrate, r, program, now): r.folder for r in self.calibrations()}, "calibrations")
+                self.finish({pool.submit(r.perform, program, now): r.folder for r in self.calibrations()}, "calibrations")
                 self.finish({pool.submit(predict, p, r, program, now): r.folder for p, runs in self.predictions for r in runs
                              if r.result.exists()}, "predictions")
             except KeyboardInterrupt:

@@ -37,6 +37,27 @@ def place(row):
     return row["property"], row["theta [deg]"], row.get("confining [Pa]", 0.0), row.get("diameter [m]", 0.0)
 
 
+def mean_direction(angles, weights):
+    """Of directions in degrees, the same half a turn on, by doubled angles as src/analysis/failure_plane.cpp; -90 < angle <= 90."""
+    x = sum(w * math.cos(math.radians(2 * a)) for a, w in zip(angles, weights))
+    y = sum(w * math.sin(math.radians(2 * a)) for a, w in zip(angles, weights))
+    angle = math.degrees(math.atan2(y, x)) / 2
+    return angle + 180 if angle <= -90 else angle
+
+
+def failure_of(modes):
+    """Of all calibrations: share of cracks along bedding, angle of the plane of failure, tests in which one was seen, all tests."""
+    modes = [m for m in modes if m and m["n_tests"]]
+    if not modes:
+        return None
+    shares = [m for m in modes if m["bedding_share"] is not None]
+    planes = [m for m in modes if m["n_planes"] and m["angle [deg]"] is not None]
+    tests = sum(m["n_tests"] for m in shares)
+    return {"bedding_share": sum(m["bedding_share"] * m["n_tests"] for m in shares) / tests if shares else None,
+            "angle [deg]": mean_direction([m["angle [deg]"] for m in planes], [m["n_planes"] for m in planes]) if planes else None,
+            "planes": sum(m["n_planes"] for m in planes), "tests": sum(m["n_tests"] for m in modes)}
+
+
 def cells_of(found):
     """Every value of the table beside the model on unseen packings, a number per calibration."""
     left_out = [{place(r): r for r in d["left_out"]} for d in found]
@@ -46,6 +67,8 @@ def cells_of(found):
         cell = {"property": row["property"], "theta [deg]": row["theta [deg]"], "confining [Pa]": row.get("confining [Pa]", 0.0),
                 "laboratory": row["laboratory"]["mean"], "n": row["laboratory"]["n"], "model": [r["model"] for r in same],
                 "error": statistics.fmean(error(r) for r in same)}
+        if failure := failure_of([r.get("failure") for r in same]):
+            cell["failure"] = failure
         if row["property"] not in MODULI:
             outside = [d.get(place(row)) for d in left_out]
             cell["left_out"] = [r.get("with_discrepancy") or r["model"] for r in outside if r]
@@ -104,7 +127,7 @@ def truth_of(folder, prediction):
                 values[s, theta] = [2 * float(r["c [MPa]"]) * math.sqrt(N) + N * s]
             continue
         column, stress = f"{prediction['property']} [MPa]", r.get("confining [MPa]") or 0
-        if r[column] and int(stress) in prediction.get("confining", [0]):
+        if r[column] and int(stress) in prediction.get("confining", [0]) and theta in prediction.get("predicted", [theta]):
             values.setdefault((int(stress), theta), []).append(float(r[column]))
     return {k: statistics.fmean(v) for k, v in values.items()}
 
@@ -113,7 +136,11 @@ def yardstick_of(folder, prediction, place):
     """What a rule without a model makes of the values that the model is fitted to."""
     sigma_3, theta = place
     with open(folder / "table.csv", encoding="utf-8") as file:
-        rows = [r for r in csv.DictReader(file) if float(r["theta [deg]"]) == theta]
+        table = list(csv.DictReader(file))
+    rows = [r for r in table if float(r["theta [deg]"]) == theta]
+    if prediction["property"] == "DTS":
+        across, along = (statistics.fmean(float(r["DTS [MPa]"]) for r in table if float(r["theta [deg]"]) == t) for t in (0, 90))
+        return min(across / math.cos(math.radians(theta)) ** 2, along)
     if prediction["property"] == "BTS":
         return statistics.fmean(float(r["UCS [MPa]"]) for r in rows if r["UCS [MPa]"]) / 10
     begin = prediction["from_confining"]
@@ -136,9 +163,11 @@ def bands_of(run, prediction):
     return bands
 
 
-def prediction_card(folder, prediction, runs):
-    bands = [b for b in (bands_of(r, prediction) for r in runs) if b]
-    card = {k: prediction[k] for k in ("name", "text", "yardstick", "model", "property")} | {"calibrations": len(bands)}
+def prediction_card(folder, prediction, bands):
+    """`bands`: a median, low and high by place per calibration."""
+    bands = [b for b in bands if b]
+    card = {k: prediction[k] for k in ("name", "text", "yardstick", "model", "property")}
+    card |= {"blind": prediction.get("blind", False), "calibrations": len(bands)}
     if not bands:
         return card
     rows = []
@@ -153,6 +182,51 @@ def prediction_card(folder, prediction, runs):
     inside = [low <= r["laboratory [MPa]"] <= high for r in rows for low, high in zip(r["low [MPa]"], r["high [MPa]"])]
     return card | {"rms": [rms(e) for e in errors], "mean": [statistics.fmean(e) for e in errors], "inside": sum(inside),
                    "of": len(inside), "yardstick_rms": rms(rule), "yardstick_mean": statistics.fmean(rule), "rows": rows}
+
+
+# --- a study in place of a calibration
+
+
+def tests_of(folder, rock, number):
+    """Tests of a study that have a strength, by angle, and what the table says of the same angle."""
+    with open(folder / "specimens.csv", encoding="utf-8") as file:
+        tests = [r for r in csv.DictReader(file) if r[number]]
+    with open(rock / "table.csv", encoding="utf-8") as file:
+        table = {float(r["theta [deg]"]): r for r in csv.DictReader(file)}
+    return {theta: (row, [t for t in tests if float(t["theta [deg]"]) == theta]) for theta, row in table.items()}
+
+
+def mode_of(tests):
+    """As a calibration has it."""
+    planes = [float(t["failure_angle [deg]"]) for t in tests if t["failure_angle [deg]"]]
+    return {"n_tests": len(tests), "n_planes": len(planes), "bedding_share": statistics.fmean(float(t["bedding_share [1]"]) for t in tests),
+            "angle [deg]": mean_direction(planes, [1] * len(planes)) if planes else None}
+
+
+def is_along(angle, theta, within):
+    """Does a plane follow the bedding? Directions are the same half a turn on."""
+    return angle is not None and abs((angle - theta + 90) % 180 - 90) <= within
+
+
+def study_card(card, folder, rock, predictions):
+    """Of a rock whose table no calibration can begin with, and whose model is set by hand: study.toml and model.toml say how."""
+    cells, bands = [], {}
+    plan = predictions[0][0]
+    for theta, (row, tests) in tests_of(folder, rock, "sigma_t [Pa]").items():
+        strengths, failure = [float(t["sigma_t [Pa]"]) for t in tests], failure_of([mode_of(tests)])
+        value = 1e6 * float(row["DTS [MPa]"])
+        failure["laboratory [deg]"] = float(row["failure plane [deg]"])
+        failure |= {k: is_along(failure[a], theta, plan["along_within"]) for k, a in (("along", "angle [deg]"), ("laboratory_along", "laboratory [deg]"))}
+        cells.append({"property": "DTS", "theta [deg]": theta, "confining [Pa]": 0.0, "laboratory": value, "n": 1, "model": strengths,
+                      "error": statistics.fmean(strengths) / value - 1, "failure": failure})
+        bands[0, theta] = [1e-6 * f(strengths) for f in (statistics.median, min, max)]
+    agree = [c["failure"]["along"] == c["failure"]["laboratory_along"] for c in cells]
+    lines = ["The table has direct tension alone. A calibration begins with E, or with a strength in compression.",
+             "Two strengths of the model are set by two values of the table (model.toml). The others are predicted.",
+             f"The plane of failure follows the bedding, or crosses it, as in the laboratory at {sum(agree)} of {len(agree)} angles."]
+    return card | {"layers": "planes", "matrix": "parallel_bond", "verdict": {"status": "tension alone", "lines": lines}, "cells": cells,
+                   "predictions": [prediction_card(rock, p, [bands]) for p, _ in predictions],
+                   "tests": sum(len(c["model"]) for c in cells), "cpu_s": seconds(folder)}
 
 
 # --- the card
@@ -188,6 +262,8 @@ def read(run):
 
 def card_of(folder, runs, predictions):
     card = about_of(folder)
+    if runs and (runs[0].folder / "specimens.csv").exists():
+        return study_card(card, runs[0].folder, folder, predictions)
     done = [(r, d) for r in runs if (d := read(r)) is not None]
     if not done:
         why = why_not(runs[0]) if (runs[0].folder / "log").exists() else "not run"
@@ -204,7 +280,7 @@ def card_of(folder, runs, predictions):
              "statuses": [d["verdict"]["status"] for d in found], "models": [d["layers"] for d in found],
              "missed": missed(found), "errors": errors_of(found), "left_out": left_out_of(found),
              "intervals": {"hold": inside, "of": of}, "cells": cells_of(found)}
-    card["predictions"] = [prediction_card(folder, p, r) for p, r in predictions]
+    card["predictions"] = [prediction_card(folder, p, [bands_of(r, p) for r in rs]) for p, rs in predictions]
     own = {r.folder for r in runs} | {r.folder for _, rs in predictions for r in rs}
     card |= {"tests": sum(d["runs"]["strength_tests"] for d in found), "cpu_s": sum(seconds(f) + sum(
         seconds(p) for p in f.iterdir() if p.is_dir()) for f in own)}

@@ -12,6 +12,7 @@ import compare_calibrations
 import cpp_text
 import rocks
 import rocks_card
+import rocks_pages
 import status
 
 HARD = r'''
@@ -163,10 +164,38 @@ class Rocks(unittest.TestCase):
         truth = 20 * 3**0.5 + 15
         (self.folder / "p-5/out").mkdir(parents=True)
         (self.folder / "p-5/out/band.csv").write_text(f"theta [deg],number,median,low,high\n0,sigma_1,{1.1e6 * truth},{0.9e6 * truth},9e9\n")
-        card = rocks_card.prediction_card(self.folder, PREDICTION, [type("Run", (), {"folder": self.folder})])
+        bands = rocks_card.bands_of(type("Run", (), {"folder": self.folder}), PREDICTION)
+        card = rocks_card.prediction_card(self.folder, PREDICTION, [bands])
         self.assertAlmostEqual(card["rms"][0], 0.1)
         self.assertEqual((card["inside"], card["of"]), (1, 1))
         self.assertAlmostEqual(card["yardstick_rms"], 75 / truth - 1)
+
+    def test_modes_of_failure_are_means_over_all_tests(self):
+        mode = lambda share, angle, planes, tests: {"bedding_share": share, "angle [deg]": angle, "n_planes": planes, "n_tests": tests}
+        # 89 and -89 degrees are two degrees apart; tests weigh the share, planes the angle
+        found = rocks_card.failure_of([mode(0.1, 89, 5, 5), mode(0.4, -89, 5, 15), mode(0.0, None, 0, 0)])
+        self.assertAlmostEqual(found["bedding_share"], 0.325)
+        self.assertAlmostEqual(found["angle [deg]"], 90)
+        self.assertEqual((found["planes"], found["tests"]), (10, 20))
+        self.assertIsNone(rocks_card.failure_of([mode(None, None, 0, 5)])["bedding_share"])
+        self.assertIsNone(rocks_card.failure_of([None]))
+        self.assertEqual(rocks_pages.plane_words(found), "90")
+        self.assertEqual(rocks_pages.plane_words(found | {"planes": 9}), "none")
+
+    def test_a_study_is_a_card_of_its_tests(self):
+        (self.folder / "table.csv").write_text("theta [deg],DTS [MPa],failure plane [deg]\n0,2,0\n60,5,14\n90,8,0\n")
+        heads = "theta [deg],sigma_t [Pa],bedding_share [1],failure_angle [deg]"
+        (self.folder / "specimens.csv").write_text(f"{heads}\n0,2e6,1,1\n0,3e6,1,-1\n60,4e6,0.5,58\n60,5e6,0.7,62\n60,,,\n90,8e6,0.2,3\n")
+        plan = {"name": "t", "property": "DTS", "truth": "table.csv", "text": "t", "yardstick": "y", "model": "study", "predicted": [60],
+                "along_within": 10, "blind": True}
+        card = rocks_card.study_card({}, self.folder, self.folder, [(plan, [])])
+        self.assertEqual([c["failure"]["along"] for c in card["cells"]], [True, True, False])
+        self.assertEqual([c["failure"]["laboratory_along"] for c in card["cells"]], [True, False, False])
+        prediction = card["predictions"][0]
+        self.assertEqual(len(prediction["rows"]), 1)
+        self.assertAlmostEqual(prediction["rms"][0], 0.1)  # 4.5 for 5
+        self.assertAlmostEqual(prediction["yardstick_rms"], 0.6)  # 2/cos^2 60 = 8, which is no more than 8
+        self.assertEqual((prediction["inside"], prediction["of"]), (1, 1))
 
     def test_what_is_finished_is_not_run_again_but_by_another_program(self):
         program, count = self.folder / "program", self.folder / "count"

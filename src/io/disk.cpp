@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "base/check.hpp"
-#include "base/option.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
 
@@ -20,13 +19,12 @@ namespace fs = std::filesystem;
   if (error == ENOENT) remedy = "; check the name";
   if (error == EFBIG && !reading) remedy = "; it is beyond the limit of a file's size (ulimit -f)";
   if (error == EISDIR) remedy = "; name a file, not a folder";
-  if (system::is_full(error)) remedy = "; free some space, or choose another folder with " + option("out");
+  if (system::is_full(error)) remedy = "; free some space, or choose another folder";
   if (error == EACCES || error == EROFS || error == EPERM)
-    remedy = std::string("; check the permissions") +
-             (reading ? "" : ", or choose a folder of your own with " + option("out"));
+    remedy = reading ? "; check the permissions" : "; check the permissions, or choose a folder of your own";
   if (error == EEXIST || error == ENOTDIR)
     remedy = reading ? "; name a folder, not a file"
-                     : "; a file of that name is in the way: move it, or use another " + option("out");
+                     : "; a file of that name is in the way: move it, or choose another name";
   throw IoError(path + ": cannot " + doing + ": " + std::strerror(error) + remedy);
 }
 

@@ -26,9 +26,13 @@ std::string path_of(const std::string& name, const char* file) { return folder +
 void check_known(const std::string& name) {
   const std::vector<std::string> names = base_rocks();
   if (std::ranges::find(names, name) != names.end()) return;
-  const std::string near = nearest(name, names);
-  throw InputError(Problem{"measured rocks", "name", name, fmt::format("one of {}", fmt::join(names, ", ")),
-                           near.empty() ? "" : "did you mean " + near + "?"});
+  std::vector<std::string> meant;  // whoever types "gneiss" means one of several
+  std::ranges::copy_if(names, std::back_inserter(meant),
+                       [&](const std::string& n) { return n.find(name) != n.npos; });
+  if (const std::string near = nearest(name, names); meant.empty() && !near.empty()) meant = {near};
+  throw InputError(Problem{"measured rocks", "name", name, "a measured rock",
+                           meant.empty() ? "phyllite rocks lists them"
+                                         : fmt::format("did you mean {}?", fmt::join(meant, " or "))});
 }
 
 bool is_embedded(const std::string& path) {
@@ -132,7 +136,7 @@ std::vector<BaseFile> base_files(const std::string& name) {
   rock.replace(rock.find(data), data.size(), "table.csv");
   std::vector<BaseFile> files = {{"rock.toml", rock},
                                  {"table.csv", std::string(embedded(table_path(name, data)))}};
-  for (const char* file : {"card.json", "calibrated.toml"})
+  for (const char* file : {"card.json", "calibrated.toml", "model.toml"})
     if (const std::string path = path_of(name, file); is_embedded(path))
       files.push_back({file, std::string(embedded(path))});
   return files;
@@ -143,6 +147,8 @@ rock::Start start_like(const std::string& name) {
   const report::CardModel model = report::model_of_card(base_card(name));
   rock::Start start;
   start.layers = model.layers, start.matrix = model.matrix;
+  if (!of_property(targets_of(like), Property::E).empty() && like.E_is != ModulusReading::tangent_50)
+    start.E_is = to_string(like.E_is);
   start.size = like.model.specimen;
   if (like.grains_stated) start.grain_size = rounded(grain_size(like.model), 4);
   start.bedded = like.bedded;

@@ -14,6 +14,9 @@
 namespace phy::jobs {
 namespace {
 
+using testing::AllOf;
+using testing::HasSubstr;
+
 std::vector<Target> scaled(const std::string& name, Property property, double factor) {
   std::vector<Target> table;
   for (Target t : targets_of(base_rock(name)))
@@ -37,6 +40,26 @@ TEST(RockBase, EveryRockIsReadAndHasACardOfItsTable) {
     for (const auto& cell : card.value("cells", nlohmann::json::array()))
       EXPECT_TRUE(properties.contains(cell.at("property"))) << name;
   }
+}
+
+TEST(RockBase, AWordThatIsNoRockNamesThoseThatAreMeant) {
+  const auto remedy = [](const char* name) -> std::string {
+    try {
+      base_rock(name);
+    } catch (const InputError& e) {
+      return e.problems().at(0).remedy;
+    }
+    return "none";
+  };
+  EXPECT_THAT(remedy("gneiss"), AllOf(HasSubstr("augen-gneiss"), HasSubstr("maggia-gneiss")));
+  EXPECT_THAT(remedy("boryeong-shal"), HasSubstr("boryeong-shale"));
+  EXPECT_THAT(remedy("borieong-shale"), HasSubstr("boryeong-shale"));
+  EXPECT_THAT(remedy("nope"), HasSubstr("phyllite rocks"));
+}
+
+TEST(RockBase, ANewRockReadsEAsTheOneItIsLike) {
+  EXPECT_EQ(start_like("augen-gneiss").E_is, to_string(ModulusReading::secant_at_peak));
+  EXPECT_EQ(start_like("boryeong-shale").E_is, "");  // it has none
 }
 
 TEST(RockBase, ACopyNamesTheTableBesideIt) {

@@ -20,8 +20,8 @@ namespace {
 std::string quantity(double value, Dimension d) { return print_quantity(value, d); }
 
 std::string radii_text(const PackingRecipe& p) {
-  return fmt::format("radii between {} and {}, uniform by {}", quantity(p.radius_min, Dimension::length),
-                     quantity(p.radius_max, Dimension::length),
+  const auto length = [](double value) { return quantity(rounded(value, 4), Dimension::length); };
+  return fmt::format("radii between {} and {}, uniform by {}", length(p.radius_min), length(p.radius_max),
                      p.distribution == RadiusDistribution::by_number ? "number" : "area");
 }
 

@@ -49,6 +49,14 @@ TEST(Methods, AMatrixOfFlatJoints) {
                           Not(HasSubstr("parallel bonds"))));
 }
 
+TEST(Methods, RadiiHaveFourDigits) {
+  Recipe r;
+  r.packing.n_grains = 684, r.packing.radius_min = 0.25e-3 * 3.30712345678901,
+  r.packing.radius_max = 1.3725e-3;
+  const std::string text = methods({test_of(r, "intact", peaked, {{1e-3, 50}, {2e-3, 100}})});
+  EXPECT_THAT(text, AllOf(HasSubstr("0.8268 mm"), Not(HasSubstr("0.82678"))));
+}
+
 TEST(Methods, EveryTestEndsAsItDid) {
   Recipe r;
   r.test.stop_at = 0.6, r.test.post_peak = 1.0;

@@ -7,6 +7,7 @@
 
 #include "base/text_table.hpp"
 #include "io/json.hpp"
+#include "records/measured_property.hpp"
 
 namespace phy::report {
 namespace {
@@ -42,9 +43,12 @@ std::string measured_text(const Json& card) {
   return angles == 0 ? text : fmt::format("{}; {} angles", text, angles);
 }
 
+/// Errors on unseen packings by property; empty: none.
+Json errors_of(const Json& card) { return card.value("errors", Json::object()); }
+
 std::string errors_text(const Json& card) {
   std::vector<std::string> items;
-  const Json errors = card.value("errors", Json::object());
+  const Json errors = errors_of(card);
   for (const auto& [property, values] : errors.items())
     items.push_back(fmt::format("{} {}", property, error_text(property, values.get<std::vector<double>>())));
   return items.empty() ? "-" : fmt::format("{}", fmt::join(items, ", "));
@@ -58,6 +62,43 @@ std::string ratios_text(const Json& card) {
     if (const auto ratios = of.at("ratio").get<std::vector<double>>(); !ratios.empty())
       items.push_back(fmt::format("{} {:.2f}", property, median(ratios)));
   return items.empty() ? "-" : fmt::format("{}", fmt::join(items, ", "));
+}
+
+/// "UCS 45", "sigma_1 at 6 MPa, 45".
+std::string cell_text(const Json& cell) {
+  const double stress = cell.value("confining [Pa]", 0.0);
+  std::string text = cell.at("property");
+  if (stress > 0.0) text += fmt::format(" at {:g} MPa", stress * 1e-6);
+  const Json& theta = cell.at("theta [deg]");
+  return theta.is_null() ? text
+                         : fmt::format("{}{} {:g}", text, stress > 0.0 ? "," : "", theta.get<double>());
+}
+
+/// How the model's specimens fail, a row per kind of test and angle.
+std::string failure_text(const Json& card, int terminal_width) {
+  std::vector<Json> rows;
+  for (const Json& cell : card.value("cells", Json::array()))
+    if (cell.contains("failure")) rows.push_back(cell);
+  if (rows.empty()) return "";
+  const auto number = [](const char* key, double unit) {
+    return [key, unit](const Json& cell) {
+      const Json& of = cell.at("failure");
+      return !of.contains(key) || of.at(key).is_null()
+                 ? std::string("-")
+                 : fmt::format("{:.0f}", of.at(key).get<double>() * unit);
+    };
+  };
+  Column test = column_of("how the model fails", "", rows, cell_text);
+  test.left = true;
+  Columns columns = {column_of("cracks along bedding", "%", rows, number("bedding_share", 100.0)),
+                     column_of("failure plane", "deg", rows, number("angle [deg]", 1.0)),
+                     column_of("seen in", "", rows, [](const Json& cell) {
+                       const Json& of = cell.at("failure");
+                       return fmt::format("{} of {}", of.at("planes").get<int>(), of.at("tests").get<int>());
+                     })};
+  if (rows.front().at("failure").contains("laboratory [deg]"))
+    columns.push_back(column_of("laboratory", "deg", rows, number("laboratory [deg]", 1.0)));
+  return "\n" + text_table(test, {columns}, terminal_width);
 }
 
 std::string prediction_text(const Json& p) {
@@ -93,11 +134,20 @@ std::string rock_list(const std::vector<std::string_view>& cards, int terminal_w
   const auto word = [](const char* key) {
     return [key](const Json& j) { return j.at(key).get<std::string>(); };
   };
+  Columns errors;  // a property each: together they are wider than a terminal
+  for (const MeasuredProperty& p : measured_properties()) {
+    const auto has = [&](const Json& j) { return errors_of(j).contains(p.name); };
+    if (std::ranges::none_of(all, has)) continue;
+    errors.push_back(column(fmt::format("error of {}", p.name).c_str(), [&](const Json& j) {
+      return has(j) ? error_text(p.name, errors_of(j)[p.name].get<std::vector<double>>()) : std::string("-");
+    }));
+  }
   return text_table(
       column("rock", word("name")),
       {{column("kind", word("kind")), column("measured", measured_text),
         column("verdict", [](const Json& j) { return j.at("verdict").at("status").get<std::string>(); }),
-        column("error on unseen packings", errors_text), column("left out, over best curve", ratios_text)}},
+        column("left out, over best curve", ratios_text)},
+       errors},
       terminal_width);
 }
 
@@ -112,15 +162,17 @@ std::string rock_card(std::string_view text, int terminal_width) {
     out += fmt::format(
         "\nMeasured: {}\nErrors on unseen packings (rms): {}\nLeft out, over the best curve: {}\n",
         measured_text(card), errors_text(card), ratios_text(card));
-    for (const Json& p : card.at("predictions")) out += prediction_text(p);
-    out += course_text(card);
   }
-  out += "\n";
-  for (const Json& caution : card.at("cautions")) out += "- " + caution.get<std::string>() + "\n";
+  for (const Json& p : card.value("predictions", Json::array())) out += prediction_text(p);
+  if (card.contains("errors")) out += course_text(card);
+  const std::string failure = failure_text(card, terminal_width);
+  out = wrapped(out, terminal_width, 2) + failure;
+  std::string rest = "\n";
+  for (const Json& caution : card.at("cautions")) rest += "- " + caution.get<std::string>() + "\n";
   for (const Json& source : card.at("sources"))
-    out += fmt::format("Source: {} ({})\n", source.at("cite").get<std::string>(),
-                       source.at("licence").get<std::string>());
-  return wrapped(out, terminal_width, 2);
+    rest += fmt::format("Source: {} ({})\n", source.at("cite").get<std::string>(),
+                        source.at("licence").get<std::string>());
+  return out + wrapped(rest, terminal_width, 2);
 }
 
 CardModel model_of_card(std::string_view text) {

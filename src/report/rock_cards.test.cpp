@@ -9,6 +9,7 @@
 namespace phy::report {
 namespace {
 
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
@@ -22,6 +23,12 @@ constexpr const char* finished = R"({
   "statuses": ["not decided", "calibrated", "not decided"], "tests": 600, "cpu_s": 1284.4,
   "errors": {"UCS": [0.09, 0.05, 0.06], "nu": [0.01, 0.03, 0.02]},
   "left_out": {"UCS": {"ratio": [0.5, 0.7]}, "BTS": {"ratio": []}},
+  "cells": [
+    {"property": "E", "theta [deg]": 0},
+    {"property": "UCS", "theta [deg]": 0, "confining [Pa]": 0,
+     "failure": {"bedding_share": 0.012, "angle [deg]": null, "planes": 0, "tests": 15}},
+    {"property": "sigma_1", "theta [deg]": 60, "confining [Pa]": 6e6,
+     "failure": {"bedding_share": 0.82, "angle [deg]": 59.6, "planes": 14, "tests": 15}}],
   "predictions": [
     {"text": "BTS, from UCS", "yardstick": "a tenth of UCS", "rms": [0.12], "mean": [-0.05],
      "inside": 6, "of": 7, "yardstick_rms": 0.4},
@@ -33,11 +40,28 @@ constexpr const char* begun = R"({
 
 TEST(RockCards, AListHasARowOfMediansForEveryCard) {
   const std::string list = rock_list({finished, begun}, 0);
-  EXPECT_THAT(list, HasSubstr("UCS 6.0 (5.0 - 9.0) %, nu 0.020 (0.010 - 0.030)"));
+  EXPECT_THAT(list, AllOf(HasSubstr("6.0 (5.0 - 9.0) %"), HasSubstr("0.020 (0.010 - 0.030)")));
   EXPECT_THAT(list, HasSubstr("UCS, nu; 7 angles"));
   EXPECT_THAT(list, HasSubstr("UCS 0.60"));
   EXPECT_THAT(list, Not(HasSubstr("BTS")));
   EXPECT_THAT(list, ContainsRegex("tuff .*DTS"));
+}
+
+TEST(RockCards, AListFitsANarrowTerminal) {
+  const std::string list = rock_list({finished, begun}, 50);
+  for (std::size_t from = 0; from < list.size();) {
+    const std::size_t end = list.find('\n', from);
+    EXPECT_LE(end - from, 50U) << list.substr(from, end - from);
+    from = end + 1;
+  }
+  EXPECT_THAT(list, AllOf(HasSubstr("0.020 (0.010 - 0.030)"), HasSubstr("UCS 0.60")));
+}
+
+TEST(RockCards, ACardHasTheModesOfFailure) {
+  const std::string card = rock_card(finished, 80);
+  EXPECT_THAT(card, ContainsRegex("UCS 0 +1 +- +0 of 15"));
+  EXPECT_THAT(card, ContainsRegex("sigma_1 at 6 MPa, 60 +82 +60 +14 of 15"));
+  EXPECT_THAT(card, Not(HasSubstr("E 0")));
 }
 
 TEST(RockCards, ACardSaysWhatWasPredictedAndWhatWasNot) {

@@ -30,9 +30,9 @@ elastic_reading = "plane stress"
 # recipe = "model.toml"         # grain size, bedding rule, press, and the size: take out [specimen] then
 #                               # (`phyllite recipe --template`). Without it: the paper's specimen,
 #                               # magnified to the size below
-# layers = "choose"             # also "planes" (smooth joints), "directions" (of the bonds),
+# layers = "choose"             # "choose", "planes" (smooth joints), "directions" (of the bonds),
 #                               # "planes and directions", "planes with bridges" (joints on a share of them)
-# matrix = "choose"             # also "parallel_bond", "flat_joint" (UCS many times the tensile strength)
+# matrix = "choose"             # "choose", "parallel_bond", "flat_joint" (UCS far above tension)
 # grain_size = "3 mm"           # mean diameter of the model's grains: coarse ones are quick, fine ones
 #                               # nearer to the rock; without it K_Ic is not fitted
 # sheet = "Results"             # of a workbook; default: the first
@@ -89,6 +89,7 @@ void set_key(std::string& text, const std::string& key, const std::string& value
 std::string rock_template(const std::string& name, const std::string& file, const Start& start) {
   std::string keys = after_table;
   const auto length = [](double value) { return toml_string(print_quantity(value, Dimension::length)); };
+  if (!start.E_is.empty()) set_key(keys, "E_is", toml_string(start.E_is));
   if (!start.bedded) set_key(keys, "bedded", "false");
   if (!start.layers.empty()) set_key(keys, "layers", toml_string(start.layers));
   if (!start.matrix.empty()) set_key(keys, "matrix", toml_string(start.matrix));

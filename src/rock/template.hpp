@@ -9,7 +9,7 @@ namespace phy::rock {
 
 /// What a new rock takes from another one; what is empty stays a comment.
 struct Start {
-  std::string layers, matrix;                 ///< as in a rock file
+  std::string layers, matrix, E_is;           ///< as in a rock file
   std::optional<double> grain_size, spacing;  ///< [m]
   SpecimenSize size;
   bool bedded = true;

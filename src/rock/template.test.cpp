@@ -26,6 +26,26 @@ TEST(RockTemplate, BeginsWithGrainsSpacingSizeAndModel) {
   EXPECT_DOUBLE_EQ(rock.model.specimen.height, 0.102);
 }
 
+TEST(RockTemplate, ReadsEAsTheRockItIsLike) {
+  Start start;
+  start.E_is = to_string(ModulusReading::secant_at_peak);
+  const std::string table = "theta [deg],E [GPa],UCS [MPa]\n0,30,90\n45,20,60\n90,40,120\n";
+  EXPECT_EQ(parse_rock(rock_template("mine", "mine.csv", start), "mine.toml", {table, {}}).E_is,
+            ModulusReading::secant_at_peak);
+}
+
+// A key that was set still shows every other value, "choose" among them.
+TEST(RockTemplate, ASetModelLeavesTheChoices) {
+  Start start;
+  start.layers = "planes", start.matrix = "flat_joint";
+  const std::string text = rock_template("mine", "mine.csv", start);
+  for (const char* line : {"\nlayers = \"planes\"", "\nmatrix = \"flat_joint\""}) {
+    const std::size_t begin = text.find(line);
+    ASSERT_NE(begin, text.npos) << line;
+    EXPECT_NE(text.substr(begin, text.find('\n', begin + 1) - begin).find("\"choose\""), text.npos) << line;
+  }
+}
+
 TEST(RockTemplate, DirectionsHaveNoSpacing) {
   Start start;
   start.layers = "directions", start.spacing = 0.01;
