@@ -2,6 +2,7 @@
 # make deps-all  also what no test is left out without       make test     build and run all tests
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
+# make windows   the program for Windows, as one .exe and a .zip    make windows-check  try it under wine
 # make docs      the documents as a searchable site          make pictures those of gallery and README
 # make web       bundle the pages anew
 # make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (100 minutes of CPU, resumed)
@@ -29,6 +30,8 @@ deps-docs: PACKAGES += $(SITE)
 deps-soak: PACKAGES += python3-vtk9
 deps-clang: PACKAGES += clang libclang-rt-14-dev
 deps-coverage: PACKAGES += gcovr
+deps-windows: PACKAGES += g++-mingw-w64-x86-64-posix dpkg-dev tcl
+windows-check: PACKAGES += wine64 wine
 deps-package: PACKAGES += dpkg-dev file lintian mmdebstrap
 python: PACKAGES += $(PYTHON)
 
@@ -38,7 +41,7 @@ deps:
 	@missing=$$(for p in $(PACKAGES); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok installed' || echo $$p; done); \
 	echo "deps:" $${missing:-nothing is missing}; test -z "$$missing" || { $(SUDO) apt-get update -qq && \
 	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; }
-deps-all deps-docs deps-soak deps-clang deps-coverage deps-package: deps
+deps-all deps-docs deps-soak deps-clang deps-coverage deps-package deps-windows: deps
 
 build:
 	@$(call made,release)
@@ -84,6 +87,21 @@ package: deps-package
 # Needs root, and a Debian mirror.
 package-check: package
 	@$(SUDO) bash packaging/check.sh $(BUILD)/phyllite_*.deb
+
+# Libraries are compiled from Debian's sources (tools/sources.sh), which come once. What users unpack is the .zip.
+windows: deps-windows
+	@sh tools/sources.sh build/sources
+	@$(call made,windows) --target phyllite
+	@cd build/windows && cpack >cpack.txt || { cat cpack.txt; exit 1; }
+	@ls -l build/windows/phyllite.exe build/windows/phyllite-*.zip
+
+# What no other build compiles, in seconds.
+windows-files: deps-windows
+	@for f in src/system/*_windows.cpp; do \
+	  x86_64-w64-mingw32-g++-posix -std=c++20 -D_WIN32_WINNT=0x0A00 -Wall -Wextra -Werror -fsyntax-only -Isrc $$f || exit 1; done
+
+windows-check: windows program
+	@python3 tools/windows_check.py $(CHECKS)
 
 test: build
 	@python3 tools/check_floors.py

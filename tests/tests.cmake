@@ -34,7 +34,10 @@ foreach(label IN LISTS PHY_LABELS)
     add_dependencies(test_x_${label} phyllite count_events)
   endif()
 endforeach()
-target_link_libraries(test_x_fuzz PRIVATE verbs)
+# What reads ZIP archives is held against the library that writes these.
+find_library(PHY_ZIP zip REQUIRED)  # libzip's own CMake files ask for programs of another package
+target_link_libraries(test_io PRIVATE ${PHY_ZIP})
+target_link_libraries(test_x_fuzz PRIVATE verbs ${PHY_ZIP})
 add_dependencies(test_x_install manual)
 target_compile_definitions(test_x_install PRIVATE $<$<CONFIG:Release>:PHY_GUARDED>)
 set_tests_properties(test_x_soak PROPERTIES TIMEOUT 7200)
@@ -47,7 +50,7 @@ endif()
 # The test of hashes alone with what it needs, for another compiler: a third of the program (make clang-hash).
 set(PHY_HASHED ${PHY_SOURCES})
 list(FILTER PHY_HASHED INCLUDE REGEX "/src/(base|records|contact|engine|genesis|lab|analysis|statics|system)/\
-|/src/io/(ags|csv|deflate|disk|file|new_folder|output|scene|table|table_cells|table_layout|workbook).cpp\
+|/src/io/(ags|csv|deflate|disk|file|new_folder|output|scene|table|table_cells|table_layout|workbook|zip).cpp\
 |/src/study/(design|direct|expected|experiment|lane_batch|plan|task_queue|work|worker).cpp|/src/theory/(goodman|jaeger).cpp|/src/verification/golden.cpp")
 add_executable(one_hash EXCLUDE_FROM_ALL ${PHY_HASHED} ${PHY_KERNELS} tests/determinism/one_hash.test.cpp)
 add_dependencies(one_hash version_of_build)

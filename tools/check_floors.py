@@ -29,7 +29,7 @@ NEVER |= {("study", "report"), ("maps", "calibrate"), ("maps", "survey"), ("surv
 LONERS = {"laws": "a law", "lab": "a laboratory test"}  # each in a folder of its own
 COMMON = {"base", "records"}  # the vocabulary of all rooms: in phy itself, not in phy::<room>
 OPENS_FILES = {"system/process_posix.cpp"}  # of the system: in /proc they have no size
-# What is not portable C++: the room "system" alone includes it, and its headers do not.
+# What is not portable C++: the room "system" alone includes it, and its headers for all do not.
 OF_A_SYSTEM = re.compile(r"\s*#\s*include <(sys/|net/|netinet/|arpa/|linux/|(unistd|spawn|fcntl|poll|signal|csignal|sched|pthread|dirent|dlfcn|glob|netdb|"
                          r"pwd|termios|utime|windows|winsock2|io|process)(\.h)?>)|.*::(getpid|isatty|usleep|clock_gettime)\(")
 MAX_LINE = 110
@@ -79,8 +79,9 @@ def check_opening(file, number, line):
 
 
 def check_system(file, number, line):
-    own = room_of(file) == "system" and file.suffix == ".cpp"
-    if not own and not re.search(r"\.test\.|_fixture\.", file.name) and OF_A_SYSTEM.match(line):
+    own = room_of(file) == "system" and (file.suffix == ".cpp" or file.name.endswith("_windows.hpp"))
+    of_a_system = OF_A_SYSTEM.match(line) or "_windows.hpp\"" in line
+    if not own and not re.search(r"\.test\.|_fixture\.", file.name) and of_a_system:
         problems.append(f"src/{file}:{number}: is not portable; what needs a header of the system belongs to src/system/*.cpp")
 
 

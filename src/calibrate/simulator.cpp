@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <numeric>
@@ -23,6 +22,7 @@
 #include "study/experiment.hpp"
 #include "study/store_queue.hpp"
 #include "study/worker.hpp"
+#include "system/files.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -37,9 +37,10 @@ std::string packing_name(const Recipe& r) {
 class TemporaryFile {
  public:
   TemporaryFile() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "phyllite-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw IoError("no temporary folder " + pattern);
-    folder_ = pattern;
+    const std::string name = (std::filesystem::temp_directory_path() / "phyllite").string();
+    const auto made = system::passing_folder(name);
+    if (!made) throw IoError("no temporary folder " + name);
+    folder_ = *made;
   }
   ~TemporaryFile() {
     std::error_code ignored;

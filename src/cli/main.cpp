@@ -20,6 +20,7 @@
 #include "genesis/settle.hpp"
 #include "jobs/failure.hpp"
 #include "records/recipe_schema.hpp"
+#include "system/process.hpp"
 #include "system/terminal.hpp"
 
 namespace {
@@ -100,7 +101,7 @@ constexpr auto verbs = [] {
                     add_completion_command};
 }();
 
-int run(int argc, char** argv) {
+int run(std::vector<std::string> words) {
   phy::cli::Session session;
   session.terminal_width = phy::system::terminal_size(phy::system::standard_output).columns;
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
@@ -124,7 +125,8 @@ int run(int argc, char** argv) {
   for (const auto add : verbs) add(app, session);
   refuse_empty_names(app);
   try {
-    app.parse(argc, argv);
+    std::ranges::reverse(words);  // as the parser takes them
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0) throw wrong_command_line(app, e);
     app.exit(e);  // --help, --version
@@ -149,7 +151,7 @@ int say(int exit_code, const char* begin, const char* what) {
 int main(int argc, char** argv) {
   phy::system::guard_standard_streams();
   try {
-    return run(argc, argv);
+    return run(phy::system::arguments(argc, argv));
   } catch (const phy::InputError& e) {
     return say(2, "", phy::terminal_text(e.what()).c_str());
   } catch (const phy::IoError& e) {

@@ -66,7 +66,8 @@ int rock_new(const std::string& given, const std::string& data, const std::strin
                                "a .toml file holds keys; nothing was written"});
     io::read_file(data, largest_table);  // a file, and none that is too large
     const std::filesystem::path from = std::filesystem::absolute(toml).parent_path();
-    const std::string table = std::filesystem::proximate(std::filesystem::absolute(data), from).string();
+    const std::string table =
+        std::filesystem::proximate(std::filesystem::absolute(data), from).generic_string();
     io::write_file(toml.string(), rock::rock_template(stem, table, start));
     print_out("{} names the table; how it is read and what it determines:\n  phyllite rock check {}\n",
               toml.string(), sh_word(toml.string()));

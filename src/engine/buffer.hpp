@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <vector>
@@ -14,8 +13,7 @@ class Buffer {
  public:
   void assign(std::size_t n) {
     const std::size_t bytes = std::max<std::size_t>(64, (n * sizeof(T) + 63) / 64 * 64);
-    data_.reset(static_cast<T*>(std::aligned_alloc(64, bytes)));
-    if (!data_) throw std::bad_alloc();
+    data_.reset(static_cast<T*>(::operator new(bytes, line)));
     std::fill_n(data_.get(), bytes / sizeof(T), T(0));
     size_ = n;
   }
@@ -29,8 +27,9 @@ class Buffer {
   const T& operator[](std::size_t i) const { return data_.get()[i]; }
 
  private:
+  static constexpr std::align_val_t line{64};
   struct Free {
-    void operator()(T* p) const { std::free(p); }
+    void operator()(T* p) const { ::operator delete(p, line); }
   };
   std::unique_ptr<T, Free> data_;
   std::size_t size_ = 0;

@@ -18,12 +18,7 @@ const char* to_string(Isa isa) {
 }
 
 Isa native_isa() {
-  Isa best = Isa::sse2;
-  if (__builtin_cpu_supports("avx2")) best = Isa::avx2;
-  // All parts of AVX-512 that the compiler may use with the flags of that build.
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
-    best = Isa::avx512;
+  const Isa best = best_isa();
   const char* wish = std::getenv("PHYLLITE_ISA");
   if (wish == nullptr || *wish == 0) return best;
   // The environment can lower the set (to compare them) but not raise it: the processor would stop at an

@@ -6,11 +6,14 @@
 
 namespace phy::engine {
 
-/// Instruction sets in rising order; the hot loop is built for each.
+/// Instruction sets in rising order; the hot loop is built for each. Processors of another kind than x86-64
+/// have the first, which is written in portable vectors of 16 bytes.
 enum class Isa { sse2, avx2, avx512 };
 
 const char* to_string(Isa isa);
-/// The best instruction set of this processor. PHYLLITE_ISA=sse2|avx2|avx512 in the environment lowers it.
+/// The widest that this processor has (processor_x86.cpp, processor_other.cpp).
+Isa best_isa();
+/// That one, unless it is lowered. PHYLLITE_ISA=sse2|avx2|avx512 in the environment lowers it.
 /// Throws InputError: another word there.
 Isa native_isa();
 /// Lanes that fill a register: 2, 4, 8 doubles or 4, 8, 16 floats.

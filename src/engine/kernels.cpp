@@ -7,14 +7,6 @@
 
 namespace phy::engine {
 
-// Defined in group_isa.cpp, which is compiled once for each instruction set.
-Kernel<double> double_kernel_sse2(std::size_t combination, int lanes);
-Kernel<float> float_kernel_sse2(std::size_t combination, int lanes);
-Kernel<double> double_kernel_avx2(std::size_t combination, int lanes);
-Kernel<float> float_kernel_avx2(std::size_t combination, int lanes);
-Kernel<double> double_kernel_avx512(std::size_t combination, int lanes);
-Kernel<float> float_kernel_avx512(std::size_t combination, int lanes);
-
 namespace {
 
 template <std::size_t combination>

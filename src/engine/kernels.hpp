@@ -6,6 +6,14 @@
 
 namespace phy::engine {
 
+/// Those of one instruction set: defined in group_isa.cpp, which is compiled once for each instruction set.
+Kernel<double> double_kernel_sse2(std::size_t combination, int lanes);
+Kernel<float> float_kernel_sse2(std::size_t combination, int lanes);
+Kernel<double> double_kernel_avx2(std::size_t combination, int lanes);
+Kernel<float> float_kernel_avx2(std::size_t combination, int lanes);
+Kernel<double> double_kernel_avx512(std::size_t combination, int lanes);
+Kernel<float> float_kernel_avx512(std::size_t combination, int lanes);
+
 /// Contact models of a group with the force loops that were compiled for them, for one lane and for those of
 /// lanes_of(). A specimen alone fills the register with its contacts (wide_loop.hpp), but in
 /// double with SSE2, which is the scalar reference.

@@ -62,7 +62,7 @@ std::string data_of(const std::string& toml) {
 
 bool is_table_name(const std::string& name) {
   const std::string ending = fs::path(name).extension().string();
-  return name.find('/') == name.npos && !name.starts_with('.') && is_plain(name) &&
+  return fs::path(name) == fs::path(name).filename() && !name.starts_with('.') && is_plain(name) &&
          (ending == ".csv" || ending == ".tsv" || ending == ".txt");
 }
 
@@ -231,7 +231,7 @@ std::optional<std::string> served_file(const std::string& path) {
   if (file->filename() == way_in_file) return {};  // whoever reads it can do everything
   const auto is_hidden = [](const fs::path& part) { return part.string().starts_with('.'); };
   if (std::any_of(file->begin(), file->end(), is_hidden)) return {};
-  return file->string();
+  return file->generic_string();
 }
 
 std::string content_type(const std::string& path) {

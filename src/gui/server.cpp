@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "system/files.hpp"
 #include "system/process.hpp"
 
 namespace phy::gui {
@@ -129,7 +130,7 @@ class Server::Impl {
     try {
       const tcp::endpoint here(net::ip::address_v4::loopback(), port);
       acceptor_.open(here.protocol());
-      acceptor_.set_option(net::socket_base::reuse_address(true));
+      acceptor_.set_option(net::socket_base::reuse_address(system::ports_linger()));
       acceptor_.bind(here);
       acceptor_.listen();
       port_ = acceptor_.local_endpoint().port();
@@ -214,7 +215,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
-  http::response<http::file_body> file_response_;
+  http::response<http::basic_file_body<beast::file_stdio>> file_response_;
   Connections::iterator place_;
   bool waits_ = true;
   Clock::time_point since_ = Clock::now();
@@ -272,8 +273,8 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
       return send(response_, response, keep);
     }
     beast::error_code error;
-    beast::file_posix file;
-    file.native_handle(response.file->release());
+    beast::file_stdio file;
+    file.native_handle(system::as_stream(response.file->release()));
     file_response_.body().reset(std::move(file), error);
     if (error) return leave();
     send(file_response_, response, keep);

@@ -28,6 +28,10 @@ namespace fs = std::filesystem;
   throw IoError(path + ": cannot " + doing + ": " + std::strerror(error) + remedy);
 }
 
+[[noreturn]] void fail(const std::string& path, const std::string& doing, const std::error_code& error) {
+  fail(path, doing, error.default_error_condition().value());  // which is an errno on every system
+}
+
 int write_and_close(int fd, const std::string& content) {
   int error = system::write_all(fd, content);
   // Synced before it is renamed: else a power cut could leave the new name with no content.

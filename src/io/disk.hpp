@@ -2,6 +2,7 @@
 // disk. For the files of io alone.
 #pragma once
 #include <string>
+#include <system_error>
 
 namespace phy::io {
 
@@ -9,6 +10,7 @@ constexpr const char* temporary_mark = ".phyllite-";
 
 /// Throws IoError with the text of the system and what to do; `doing`: "be written".
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error);
+[[noreturn]] void fail(const std::string& path, const std::string& doing, const std::error_code& error);
 
 /// Writes, syncs and closes; the errno of what failed, or 0.
 int write_and_close(int fd, const std::string& content);

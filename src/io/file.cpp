@@ -159,7 +159,7 @@ std::vector<std::string> list_folder(const std::string& path) {
   std::error_code error;
   for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
     entries.push_back(entry->path().string());
-  if (error) fail(path, "be read", error.value());
+  if (error) fail(path, "be read", error);
   // The order of a directory is arbitrary; results must not depend on it.
   std::sort(entries.begin(), entries.end());
   return entries;
@@ -178,7 +178,7 @@ void make_folder(const std::string& path) {
   if (path.empty()) return;
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) fail(path, "be created", error.value());
+  if (error) fail(path, "be created", error);
   // The name may be taken by a file: create_directories does not complain about that.
   if (!fs::is_directory(path, error)) fail(path, "be used as a folder", ENOTDIR);
 }

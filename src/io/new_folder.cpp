@@ -27,7 +27,7 @@ void check_place(const std::string& folder, const std::string& mark, const std::
   if (!fs::exists(fs::path(folder) / written_list, none)) return;  // made before there were lists
   // Every file in it has to be ours and unchanged: the folder is replaced as a whole.
   for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; entry.increment(none)) {
-    const std::string name = entry->path().lexically_relative(folder).string();
+    const std::string name = entry->path().lexically_relative(folder).generic_string();
     if (name != written_list && (entry->is_symlink(none) || !entry->is_directory(none)) &&
         !is_as_written(folder, name))
       throw IoError(entry->path().string() + ": stands in a " + kind +
@@ -40,16 +40,16 @@ void check_place(const std::string& folder, const std::string& mark, const std::
 void remove_folder(const std::string& path) {
   // Renamed first: readers see the whole folder or none, though deleting takes time.
   const std::string old = beside(path, "old");
+  if (const int why = system::replace(path, old); why != 0) fail(path, "be removed", why);
   std::error_code error;
-  fs::rename(path, old, error);
-  if (!error) fs::remove_all(old, error);
-  if (error) fail(path, "be removed", error.value());
+  fs::remove_all(old, error);
+  if (error) fail(path, "be removed", error);
 }
 
 NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
     : folder_(std::move(folder)), mark_(std::move(mark)), kind_(std::move(kind)) {
-  while (folder_.size() > 1 && folder_.back() == '/')
-    folder_.pop_back();  // the part lies beside x/, not in it
+  // The part lies beside x/, not in it.
+  if (const fs::path place(folder_); !place.has_filename()) folder_ = place.parent_path().string();
   part_ = beside(folder_, "part");
   check_place(folder_, mark_, kind_);
   make_folder(parent_of(folder_));
@@ -85,16 +85,15 @@ void NewFolder::publish() {
   if (const int why = system::exchange(part_, folder_); why != 0) {
     const bool older = why != ENOENT;  // some file systems cannot exchange: step aside, then move in
     const std::string old = beside(folder_, "old");
-    std::error_code error;
-    if (older) fs::rename(folder_, old, error);
-    if (!error) fs::rename(part_, folder_, error);
-    if (error) {
-      std::error_code ignored;
+    int error = older ? system::replace(folder_, old) : 0;
+    if (error == 0) error = system::replace(part_, folder_);
+    std::error_code ignored;
+    if (error != 0) {
       // The older result goes back where the new one cannot take its place.
-      if (older && !fs::exists(folder_, ignored)) fs::rename(old, folder_, ignored);
-      fail(folder_, "be replaced", error.value());
+      if (older && !fs::exists(folder_, ignored)) system::replace(old, folder_);
+      fail(folder_, "be replaced", error);
     }
-    fs::remove_all(old, error);
+    fs::remove_all(old, ignored);
   }
   system::sync_folder(parent_of(folder_));
 }

@@ -67,7 +67,7 @@ void make_file(const std::string& path, const std::function<void(const std::stri
   // The ending stays last, as programs choose the format by it.
   const std::string part =
       (place.parent_path() / ("." + place.stem().string() + ".phyllite-part-" +
-                              std::to_string(system::process_number()) + place.extension().string()))
+                              std::to_string(system::thread_number()) + place.extension().string()))
           .string();
   std::error_code ignored;
   try {
@@ -78,11 +78,10 @@ void make_file(const std::string& path, const std::function<void(const std::stri
     fs::remove(part, ignored);
     throw;
   }
-  std::error_code error;
-  fs::rename(part, place, error);
-  if (!error) return;
+  const int error = system::replace(part, path);
+  if (error == 0) return;
   fs::remove(part, ignored);
-  throw IoError(path + ": cannot be written: " + error.message() + "; check the folder");
+  throw IoError(path + ": cannot be written: " + std::strerror(error) + "; check the folder");
 }
 
 }  // namespace phy::io

@@ -40,8 +40,9 @@ bool is_writable(const std::string& file) {
 std::string uri_for_reading(const std::string& file) {
   std::error_code none;
   const std::uintmax_t wal = fs::file_size(file + "-wal", none);
-  std::string uri = "file:";
-  for (const char c : fs::absolute(file).string())
+  const std::string path = fs::absolute(file).generic_string();
+  std::string uri = path.starts_with('/') ? "file:" : "file:/";  // in front of the letter of a disk
+  for (const char c : path)
     uri += c == '?' || c == '#' || c == '%' ? fmt::format("%{:02X}", static_cast<int>(c)) : std::string(1, c);
   return uri + (none || wal == 0 ? "?immutable=1" : "");
 }

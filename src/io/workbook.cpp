@@ -1,7 +1,6 @@
 #include "io/workbook.hpp"
 
 #include <fmt/format.h>
-#include <zip.h>
 
 #include <algorithm>
 #include <charconv>
@@ -17,54 +16,23 @@
 #include "base/units.hpp"
 #include "io/table_cells.hpp"
 #include "io/table_layout.hpp"
+#include "io/zip.hpp"
 
 namespace phy::io {
 namespace {
 
-constexpr zip_uint64_t most_bytes = 64U << 20U;  // of one XML file
+constexpr std::size_t most_bytes = 64U << 20U;  // of one XML file
 constexpr int most_used_columns = static_cast<int>(most_table_columns);
 constexpr std::size_t most_sample_rows = 1000;  // that show where the table begins
 constexpr std::size_t most_sheets_tried = 20;
 constexpr int most_rows = 1048576,
               most_columns = 16384;  // of a sheet (ECMA-376 names no limit; these are Excel's)
 
-/// A file of the archive as XML; an empty document where it is not there.
-class Archive {
- public:
-  explicit Archive(std::string_view bytes) {
-    zip_error_t error;
-    zip_error_init(&error);
-    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-    if (source != nullptr) archive_ = zip_open_from_source(source, ZIP_RDONLY, &error);
-    if (archive_ == nullptr && source != nullptr) zip_source_free(source);
-    zip_error_fini(&error);
-  }
-  ~Archive() {
-    if (archive_ != nullptr) zip_discard(archive_);
-  }
-  Archive(const Archive&) = delete;
-  Archive& operator=(const Archive&) = delete;
-
-  bool has(const std::string& name) const {
-    return archive_ != nullptr && zip_name_locate(archive_, name.c_str(), 0) >= 0;
-  }
-  /// False: there is no such file, or it cannot be read.
-  bool read(const std::string& name, pugi::xml_document& document) const {
-    zip_stat_t stat;
-    zip_stat_init(&stat);
-    if (archive_ == nullptr || zip_stat(archive_, name.c_str(), 0, &stat) != 0) return false;
-    if ((stat.valid & ZIP_STAT_SIZE) == 0 || stat.size > most_bytes) return false;
-    zip_file_t* file = zip_fopen(archive_, name.c_str(), 0);
-    if (file == nullptr) return false;
-    std::string text(stat.size, '\0');
-    const zip_int64_t n = zip_fread(file, text.data(), stat.size);
-    const bool whole = zip_fclose(file) == 0 && n == static_cast<zip_int64_t>(stat.size);
-    return whole && document.load_buffer(text.data(), text.size());
-  }
-
- private:
-  zip_t* archive_ = nullptr;
-};
+/// A file of the archive as XML. False: there is no such file, or it cannot be read.
+bool read_xml(const ZipArchive& archive, const std::string& name, pugi::xml_document& document) {
+  const auto text = archive.read(name, most_bytes);
+  return text && document.load_buffer(text->data(), text->size());
+}
 
 /// Names of elements without the prefix of their namespace, which some programs write.
 std::string_view local_name(pugi::xml_node node) {
@@ -132,10 +100,10 @@ bool is_day_format(std::string_view code) {
 }
 
 /// Looks of cells (their `s`) that show a number as a day.
-std::set<int> day_looks(const Archive& archive) {
+std::set<int> day_looks(const ZipArchive& archive) {
   pugi::xml_document document;
   std::set<int> looks;
-  if (!archive.read("xl/styles.xml", document)) return looks;
+  if (!read_xml(archive, "xl/styles.xml", document)) return looks;
   const pugi::xml_node sheet = child(document, "styleSheet");
   std::set<int> days;  // formats; built in are 14 to 22 and 45 to 47, in East Asia 27 to 36 and 50 to 58
   for (const auto& [from, to] : {std::pair{14, 22}, {27, 36}, {45, 47}, {50, 58}})
@@ -185,7 +153,7 @@ class WorkbookReader {
   const std::vector<std::string>& other_sheets() const { return others_; }
 
  private:
-  Archive archive_;
+  ZipArchive archive_;
   std::string wanted_, where_, name_;
   std::vector<std::string> others_;
   std::optional<Layout> layout_;
@@ -202,7 +170,8 @@ class WorkbookReader {
   /// The file of the sheet that is wanted.
   std::optional<std::string> find_sheet() {
     pugi::xml_document book, links;
-    if (!archive_.read("xl/workbook.xml", book) || !archive_.read("xl/_rels/workbook.xml.rels", links)) {
+    if (!read_xml(archive_, "xl/workbook.xml", book) ||
+        !read_xml(archive_, "xl/_rels/workbook.xml.rels", links)) {
       const bool open_document = archive_.has("content.xml");
       refuse(
           open_document ? "an OpenDocument spreadsheet" : "an archive that is no workbook, or a damaged one",
@@ -258,14 +227,14 @@ class WorkbookReader {
   std::vector<std::string> shared_texts() const {
     std::vector<std::string> texts;
     pugi::xml_document document;
-    if (archive_.read("xl/sharedStrings.xml", document))
+    if (read_xml(archive_, "xl/sharedStrings.xml", document))
       each_child(child(document, "sst"), "si", [&](pugi::xml_node si) { texts.push_back(text_of(si)); });
     return texts;
   }
 
   bool read_sheet(const std::string& file) {
     pugi::xml_document document;
-    if (!archive_.read(file, document))
+    if (!read_xml(archive_, file, document))
       return refuse("the sheet is missing, damaged or larger than 64 MB", "a whole workbook", "save it anew");
     const std::vector<std::string> texts = shared_texts();
     const std::set<int> days = day_looks(archive_);

@@ -1,5 +1,5 @@
 // Tables in workbooks of spreadsheet programs (.xlsx, Office Open XML, ECMA-376 part 1). A workbook is a ZIP
-// archive of XML files; libzip opens the one, pugixml reads the others.
+// archive of XML files; io/zip opens the one, pugixml reads the others.
 //
 // What of a sheet is the table: the header is the first row with two cells that are not empty (a title above
 // it has one), the table is as wide as it. Cells merged over several rows hold their value in each of them,

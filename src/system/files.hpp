@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,8 @@ int open_to_append(const std::string& path);
 /// To write into what is no file. ENXIO: a pipe that nobody reads yet.
 int open_stream(const std::string& path);
 
+/// For the C library, which closes it; nullptr: not to be had.
+std::FILE* as_stream(int descriptor);
 /// As read(2) from a place on.
 std::ptrdiff_t read_at(int descriptor, char* to, std::size_t n, std::size_t from);
 /// All of a text; the errno of what failed, or 0.
@@ -55,7 +58,8 @@ ProcessLock lock_for_process(const std::string& path);
 int locked_by(const std::string& path);
 
 void remove_file(const std::string& path);
-/// Renames a file onto another, in one moment; the errno of what failed, or 0.
+/// Renames a file onto another, in one moment, or a folder to a name that is free; the errno of what failed,
+/// or 0.
 int replace(const std::string& from, const std::string& to);
 /// Exchanges two names in one moment; the errno of what failed, or 0.
 int exchange(const std::string& one, const std::string& other);
@@ -66,7 +70,9 @@ bool may_write(const std::string& file);
 bool may_write_in(const std::string& folder);
 /// False also where the system does not say.
 bool on_network(const std::string& folder);
-/// A new file that only this user reads, under a name that nobody can have guessed: `name` and a few letters.
+/// A new file or folder that only this user reads, under a name that nobody can have guessed: `name` and a
+/// few letters.
 std::optional<std::string> passing_file(std::string name);
+std::optional<std::string> passing_folder(std::string name);
 
 }  // namespace phy::system

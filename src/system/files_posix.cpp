@@ -72,6 +72,8 @@ int open_stream(const std::string& path) {
   return fd;
 }
 
+std::FILE* as_stream(int descriptor) { return ::fdopen(descriptor, "rb"); }
+
 std::ptrdiff_t read_at(int descriptor, char* to, std::size_t n, std::size_t from) {
   return ::pread(descriptor, to, n, static_cast<off_t>(from));
 }
@@ -165,6 +167,11 @@ std::optional<std::string> passing_file(std::string name) {
   if (fd < 0) return std::nullopt;
   ::close(fd);
   return name;
+}
+
+std::optional<std::string> passing_folder(std::string name) {
+  name += "-XXXXXX";
+  return ::mkdtemp(name.data()) != nullptr ? std::optional(name) : std::nullopt;
 }
 
 }  // namespace phy::system

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace phy::system {
 
@@ -25,11 +26,16 @@ World this_world();
 std::string start_of(const std::string& process);
 
 std::string host_name();
+/// The words of the command line in UTF-8, without the name of the program.
+std::vector<std::string> arguments(int argc, char** argv);
 /// Processors that this process may use, at least one.
 int n_processors();
 /// CPU time of the calling thread [s].
 double thread_seconds();
 std::tm utc(std::time_t time);
+/// Whether a port stays taken for a while after its process, unless it is asked to be shared. Where it does
+/// not, asking would share it with a process that lives.
+bool ports_linger();
 /// Bytes that nobody can guess; false: the system has none.
 bool random_bytes(unsigned char* to, std::size_t n);
 /// Where this user's programs keep what can be made anew; empty: nowhere.

@@ -57,6 +57,8 @@ std::string host_name() {
   return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
 }
 
+std::vector<std::string> arguments(int argc, char** argv) { return {argv + 1, argv + std::max(argc, 1)}; }
+
 int n_processors() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -75,6 +77,8 @@ std::tm utc(std::time_t time) {
   gmtime_r(&time, &parts);
   return parts;
 }
+
+bool ports_linger() { return true; }
 
 bool random_bytes(unsigned char* to, std::size_t n) { return getrandom(to, n, 0) == static_cast<ssize_t>(n); }
 
