@@ -18,8 +18,8 @@ std::string line_of(const std::vector<std::string>& cells) {
 
 Json table_from(std::string_view bytes, const std::string& file) {
   const io::Table table = io::parse_table(bytes, file);
-  if (table.header.empty() && !table.problems.empty()) throw InputError(table.problems);
-  if (table.header.empty())
+  if (table.rows.empty() && !table.problems.empty()) throw InputError(table.problems);
+  if (table.rows.empty())
     throw InputError(Problem{file, "", "", "a table: a row of headings, and values below them", ""});
   std::string text = line_of(table.header);
   for (const io::TableRow& row : table.rows) text += line_of(row.cells);

@@ -10,13 +10,14 @@
 #include "io/file.hpp"
 #include "records/test_description.hpp"
 #include "report/palette.hpp"
+#include "system/process.hpp"
 
 namespace phy::jobs {
 namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr int press_format = 1;
-constexpr std::chrono::milliseconds period{250};  // between pictures: costs some 0.5 % of one core
+constexpr std::chrono::milliseconds period{250};  // between pictures, at least
 constexpr std::chrono::milliseconds linger{400};  // in which an ended test is still shown
 constexpr std::size_t most_points = 400;          // of a curve on a screen
 constexpr double size_steps = 60000.0;            // across the specimen, from its centre: within 16 bits
@@ -56,17 +57,23 @@ std::string head_of(const RunningTest& test) {
   for (const BeddingRecipe& b : test.specimen.bedding)
     if (b.is_regular() && b.layer_thickness == 0.0)
       bedding.push_back({{"theta", b.theta}, {"spacing", b.spacing}, {"offset", b.offset}});
-  const Json head = {
-      {"format", press_format},      {"specimen", test.specimen.name}, {"test", test.recipe.test.kind->name},
-      {"width [m]", packing.width},  {"height [m]", packing.height},   {"bedding", bedding},
-      {"crack_kinds", report::crack_names},
-      {"disc_quantum [m]", quantum}, {"discs", packed(discs)},         {"jointed", packed(jointed)}};
+  const Json head = {{"format", press_format},
+                     {"specimen", test.specimen.name},
+                     {"test", test.recipe.test.kind->name},
+                     {"width [m]", packing.width},
+                     {"height [m]", packing.height},
+                     {"bedding", bedding},
+                     {"crack_kinds", report::crack_names},
+                     {"disc_quantum [m]", quantum},
+                     {"discs", packed(discs)},
+                     {"jointed", packed(jointed)}};
   std::string text = head.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.pop_back();
   return text;
 }
 
-Json cracks_json(const std::vector<CrackEvent>& cracks, double quantum) {
+/// As JSON, without a detour: its texts need no quoting, and are long.
+std::string cracks_text(const std::vector<CrackEvent>& cracks, double quantum) {
   std::vector<std::uint32_t> pairs;
   std::vector<std::int16_t> shapes;
   std::vector<std::uint8_t> kinds;
@@ -76,7 +83,8 @@ Json cracks_json(const std::vector<CrackEvent>& cracks, double quantum) {
                                  steps(c.size, quantum)});
     kinds.push_back(static_cast<std::uint8_t>(report::crack_kind(c)));
   }
-  return {{"pairs", packed(pairs)}, {"shapes", packed(shapes)}, {"kinds", packed(kinds)}};
+  return R"({"pairs":")" + packed(pairs) + R"(","shapes":")" + packed(shapes) + R"(","kinds":")" +
+         packed(kinds) + R"("})";
 }
 
 double displacement_quantum(const Frame& frame) {
@@ -89,16 +97,17 @@ double displacement_quantum(const Frame& frame) {
 
 }  // namespace
 
-PressWatch::PressWatch(const std::string& folder, std::chrono::milliseconds patience)
-    : file_((std::filesystem::path(folder) / press_file).string()), patience_(patience) {}
+PressWatch::PressWatch(const std::string& folder, const PressWatchOptions& options)
+    : file_((std::filesystem::path(folder) / press_file).string()), options_(options) {}
 
 PressWatch::~PressWatch() { clear(); }
 
 void PressWatch::clear() {
   const std::lock_guard lock(mutex_);
   shown_ = nullptr;
-  std::erase_if(pressed_,
-                [&](const auto& p) { return p.second.over || Clock::now() - p.second.heard >= patience_; });
+  std::erase_if(pressed_, [&](const auto& p) {
+    return p.second.over || Clock::now() - p.second.heard >= options_.patience;
+  });
   std::error_code none;
   std::filesystem::remove(file_, none);
 }
@@ -106,7 +115,7 @@ void PressWatch::clear() {
 bool PressWatch::shown_is_over(Clock::time_point now) const {
   if (shown_ == nullptr) return true;
   const Pressed& p = pressed_.at(shown_);
-  return now - p.heard >= (p.over ? linger : patience_);
+  return now - p.heard >= (p.over ? linger : options_.patience);
 }
 
 void PressWatch::choose(const RunningTest& test, Clock::time_point now) {
@@ -126,11 +135,19 @@ void PressWatch::reading(const RunningTest& test) {
   if (test.strain > 0.0 || p.strain.empty()) p.strain.push_back(test.strain), p.stress.push_back(test.stress);
   if (p.strain.size() > most_points) keep_every_second(p.strain), keep_every_second(p.stress);
   choose(test, now);
-  if (shown_ == &test.specimen && (test.over || now - written_ >= period)) write(test, p);
+  if (shown_ == &test.specimen && (test.over || now - written_ >= period) && may_cost(test.over))
+    write(test, p);
   if (test.over && shown_ != &test.specimen) pressed_.erase(&test.specimen);
 }
 
+/// Whether the last picture was no more than its share of what has been computed since. An end is worth more.
+bool PressWatch::may_cost(bool over) const {
+  return cost_ <= (over ? 2.0 : 1.0) * options_.most_share * static_cast<double>(std::clock() - written_at_) /
+                      CLOCKS_PER_SEC;
+}
+
 void PressWatch::write(const RunningTest& test, Pressed& p) {
+  const double before = system::thread_seconds();
   written_ = Clock::now();
   if (p.head.empty()) p.head = head_of(test);
   const SpecimenNow seen = test.look();
@@ -138,12 +155,17 @@ void PressWatch::write(const RunningTest& test, Pressed& p) {
   std::vector<std::int16_t> moves;
   for (const auto& u : seen.moved.u)
     for (const float part : u) moves.push_back(steps(static_cast<double>(part), quantum));
-  const Json now = {
-      {"over", p.over},          {"strain", p.strain},
-      {"stress [Pa]", p.stress}, {"displacement_quantum [m]", quantum},
-      {"moves", packed(moves)},  {"cracks", cracks_json(seen.cracks, quantum_of(*test.specimen.packing))}};
+  const Json curve = {{"over", p.over},
+                      {"strain", p.strain},
+                      {"stress [Pa]", p.stress},
+                      {"displacement_quantum [m]", quantum}};
+  std::string text = p.head + "," + curve.dump().substr(1);
+  text.pop_back();
+  text += R"(,"moves":")" + packed(moves) + R"(","cracks":)" +
+          cracks_text(seen.cracks, quantum_of(*test.specimen.packing)) + "}\n";
   // Not synced to the disk, as results are: the workers wait meanwhile.
-  io::write_passing(file_, p.head + "," + now.dump().substr(1) + "\n");
+  io::write_passing(file_, text);
+  cost_ = system::thread_seconds() - before, written_at_ = std::clock();
 }
 
 }  // namespace phy::jobs

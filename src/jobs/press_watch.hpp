@@ -1,8 +1,9 @@
 // The specimen in the press as others can see it while it is tested: a file in the folder of the results,
-// rewritten a few times a second, with its discs, how they have moved, what has broken, and the curve so far
-// (docs/formats.md, "Press"). `phyllite run`, calibrations and Python leave the same one.
+// rewritten up to four times a second, with its discs, how they have moved, what has broken, and the curve so
+// far (docs/formats.md, "Press"). `phyllite run`, calibrations and Python leave the same one.
 #pragma once
 #include <chrono>
+#include <ctime>
 #include <map>
 #include <mutex>
 #include <string>
@@ -15,12 +16,15 @@ namespace phy::jobs {
 /// Its name. It belongs to the program, and to no result: it goes when nothing is tested any more.
 constexpr const char* press_file = ".press.json";
 
+struct PressWatchOptions {
+  std::chrono::milliseconds patience{3000};  ///< a test that has not been heard of for so long is over
+  double most_share = 0.01;                  ///< of the CPU time of this process, for pictures
+};
+
 /// All may be called from any thread. A file that cannot be written is no failure: nobody will see it.
 class PressWatch {
  public:
-  /// A test that has not been heard of for `patience` is over.
-  explicit PressWatch(const std::string& folder,
-                      std::chrono::milliseconds patience = std::chrono::milliseconds(3000));
+  explicit PressWatch(const std::string& folder, const PressWatchOptions& options = {});
   ~PressWatch();
   PressWatch(const PressWatch&) = delete;
   PressWatch& operator=(const PressWatch&) = delete;
@@ -39,14 +43,17 @@ class PressWatch {
     Clock::time_point heard;
   };
   std::string file_;
-  std::chrono::milliseconds patience_;
+  PressWatchOptions options_;
   std::mutex mutex_;
   std::map<const Specimen*, Pressed> pressed_;  // the addresses are names: never followed
   const Specimen* shown_ = nullptr;             // of these
   Clock::time_point written_;
+  double cost_ = 0.0;            // of the last picture [s]
+  std::clock_t written_at_ = 0;  // CPU time of the process by then
 
   bool shown_is_over(Clock::time_point now) const;
   void choose(const RunningTest& test, Clock::time_point now);
+  bool may_cost(bool over) const;
   void write(const RunningTest& test, Pressed& pressed);
 };
 

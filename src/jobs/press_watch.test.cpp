@@ -17,6 +17,9 @@ using Json = nlohmann::json;
 using std::chrono::milliseconds;
 using testing::ElementsAre;
 
+/// Pictures may cost whatever they do.
+const PressWatchOptions free_of_charge = {milliseconds(3000), 1e9};
+
 class PressWatchTest : public InFolder {
  protected:
   Json now() const { return Json::parse(read(at(press_file))); }
@@ -56,7 +59,7 @@ std::string packed(std::vector<T> numbers) {
 }
 
 TEST_F(PressWatchTest, WritesDiscsMovesAndCracksInSixteenBits) {
-  PressWatch watch(folder.string());
+  PressWatch watch(folder.string(), free_of_charge);
   EXPECT_FALSE(shows());
   Bench b("theta = 30 deg");
   CrackEvent crack;
@@ -82,7 +85,7 @@ TEST_F(PressWatchTest, WritesDiscsMovesAndCracksInSixteenBits) {
 }
 
 TEST_F(PressWatchTest, ATestThatHasBlownUpIsShownAllTheSame) {
-  PressWatch watch(folder.string());
+  PressWatch watch(folder.string(), free_of_charge);
   Bench b("intact");
   b.frame.u = {{std::nanf(""), 0.0F}, {INFINITY, 0.0F}, {0.001F, 0.0F}};
   watch.reading(b.at(1e-3, 5e6));
@@ -90,15 +93,24 @@ TEST_F(PressWatchTest, ATestThatHasBlownUpIsShownAllTheSame) {
 }
 
 TEST_F(PressWatchTest, LooksAFewTimesASecondAlone) {
-  PressWatch watch(folder.string());
+  PressWatch watch(folder.string(), free_of_charge);
   Bench b("intact");
   for (int i = 0; i < 1000; ++i) watch.reading(b.at(1e-6 * i, 1e6));
   EXPECT_LE(b.n_looks, 3);
   EXPECT_GE(b.n_looks, 1);
 }
 
+TEST_F(PressWatchTest, PicturesTakeTheirShareOfTheTimeAlone) {
+  PressWatch watch(folder.string(), {milliseconds(3000), 1e-9});
+  Bench b("intact");
+  watch.reading(b.at(1e-6, 1e6));
+  std::this_thread::sleep_for(milliseconds(300));  // long enough, but nothing is computed
+  watch.reading(b.at(2e-6, 1e6));
+  EXPECT_EQ(b.n_looks, 1);
+}
+
 TEST_F(PressWatchTest, FollowsOneSpecimenToItsEnd) {
-  PressWatch watch(folder.string());
+  PressWatch watch(folder.string(), free_of_charge);
   Bench first("first"), second("second");
   for (int i = 1; i <= 5; ++i) {
     watch.reading(first.at(0.001 * i, 1e6 * i));
@@ -117,7 +129,7 @@ TEST_F(PressWatchTest, FollowsOneSpecimenToItsEnd) {
 }
 
 TEST_F(PressWatchTest, WhoHasFallenSilentIsOver) {
-  PressWatch watch(folder.string(), milliseconds(0));
+  PressWatch watch(folder.string(), {milliseconds(0), 1e9});
   Bench first("first"), second("second");
   watch.reading(first.at(0.001, 1e6));
   watch.reading(second.at(0.001, 1e6));
@@ -125,7 +137,7 @@ TEST_F(PressWatchTest, WhoHasFallenSilentIsOver) {
 }
 
 TEST_F(PressWatchTest, ATestThatBeginsAnewIsShownFromThere) {
-  PressWatch watch(folder.string());
+  PressWatch watch(folder.string(), free_of_charge);
   Bench b("intact");
   watch.reading(b.at(0.002, 1e6)), watch.reading(b.at(0.003, 1e6));
   watch.reading(b.at(0.0005, 5e5));
@@ -134,7 +146,7 @@ TEST_F(PressWatchTest, ATestThatBeginsAnewIsShownFromThere) {
 }
 
 TEST_F(PressWatchTest, BetweenStagesNothingIsShownAndWhatRunsKeepsItsBeginning) {
-  PressWatch watch(folder.string());
+  PressWatch watch(folder.string(), free_of_charge);
   Bench b("intact");
   watch.reading(b.at(1e-3, 1e6));
   watch.clear();
@@ -144,7 +156,7 @@ TEST_F(PressWatchTest, BetweenStagesNothingIsShownAndWhatRunsKeepsItsBeginning) 
 }
 
 TEST_F(PressWatchTest, ALongCurveKeepsItsEnds) {
-  PressWatch watch(folder.string());
+  PressWatch watch(folder.string(), free_of_charge);
   Bench b("intact");
   for (int i = 0; i < 5000; ++i) watch.reading(b.at(1e-6 * i, 1.0 * i, i == 4999));
   const std::vector<double> kept = strain();
@@ -157,7 +169,7 @@ TEST_F(PressWatchTest, ALongCurveKeepsItsEnds) {
 
 TEST_F(PressWatchTest, AtItsEndTheFileGoes) {
   {
-    PressWatch watch(folder.string());
+    PressWatch watch(folder.string(), free_of_charge);
     Bench b("intact");
     watch.reading(b.at(1e-3, 1e6));
     EXPECT_TRUE(shows());

@@ -199,7 +199,7 @@ test("a calibration is started, watched, stopped, gone on with", async () => {
   await page.getByRole("progressbar").waitFor();
   await page.reload(); // goes on without the page
   assert.equal(await page.getByLabel("Largest number of tests").inputValue(), "54");
-  await page.getByRole("img", { name: "In the press now" }).waitFor({ timeout: 120000 });
+  await page.getByRole("img", { name: "Specimen in the press" }).waitFor({ timeout: 120000 });
   const stopping = await page.evaluateHandle(() => { // seen as it is written: it may be gone before anybody looks
     const seen = { word: false };
     const look = () => (seen.word ||= [...document.querySelectorAll("[role=status]")].some((e) => e.textContent === "Stopping; what is finished is kept."));

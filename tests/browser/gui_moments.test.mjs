@@ -78,7 +78,7 @@ async function paste(page, line, column, text) {
 
 // --- what runs ------------------------------------------------------------------------------------------------
 
-const progress = (more) => ({ state: "running", stage: "which model predicts what it has not seen", seconds: 0, n_done: 0, n_total: 0, model: [0, 1], stages: [0, 0, 0], seconds_left: null, said: [], parameters: [], pressed: null, ...more });
+const progress = (more) => ({ state: "running", stage: "which model predicts what it has not seen", seconds: 0, n_done: 0, n_total: 0, model: [0, 1], stages: [0, 0, 0], seconds_left: null, said: [], parameters: [], ...more });
 const seconds = async (page) => Number((await page.locator("#calibration .clock").textContent()).match(/\d+/)[0]);
 
 test("a stage without a count has a moving bar, and the time goes on though the program writes nothing", async () => {
@@ -121,22 +121,6 @@ test("what speaks against a number is said as a reason", async () => {
   const row = page.getByRole("article", { name: "Test press" }).getByRole("row", { name: /intact/ });
   assert.match(await row.textContent(), /40\.00 MPa, warning\s*the specimen is in motion, not in equilibrium \(kinetic ratio 0\.021, above 0\.01\)/);
   assert.equal(await page.getByRole("article", { name: "Test press" }).getByRole("progressbar").isVisible(), false);
-});
-
-test("axes of the curve in the press stay while it grows and when the next specimen begins", async () => {
-  const curve = (n, top) => ({ specimen: "theta = 0 deg", test: "uniaxial", strain: Array.from({ length: n }, (_, i) => 1e-4 * (i + 1)), stress: Array.from({ length: n }, (_, i) => (top * 1e6 * (i + 1)) / n) });
-  let pressed = curve(30, 55);
-  const page = await open({ changed: (a) => ({ ...a, calibration: { ...a.calibration, state: "running", here: true, seconds: 5, progress: progress({ pressed }) } }) });
-  const chart = page.getByRole("img", { name: "In the press now" });
-  await chart.waitFor();
-  const state = () => chart.evaluate((svg) => ({ ticks: [...svg.querySelectorAll('[aria-label*="tick label"] text')].map((t) => t.textContent).join(" "), line: svg.querySelector('[aria-label="line"] path').getAttribute("d") }));
-  const seen = [await state()];
-  for (const next of [curve(34, 61), curve(41, 72), curve(2, 4)]) {
-    pressed = next;
-    await within(8, async () => (await state()).line !== seen.at(-1).line);
-    seen.push(await state());
-  }
-  assert.deepEqual([...new Set(seen.map((s) => s.ticks))].length, 1, seen.map((s) => s.ticks).join(" | "));
 });
 
 // --- the table ------------------------------------------------------------------------------------------------

@@ -16,8 +16,8 @@ export const within = async (seconds, holds) => {
 };
 
 /** Starts `phyllite gui`; the address comes as soon as the program prints it. */
-export function startGui(folder, port = 0) {
-  const program = spawn(phyllite, ["--threads", "2", "gui", folder, "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
+export function startGui(folder, port = 0, ...more) {
+  const program = spawn(phyllite, ["--threads", "2", "gui", folder, "--port", String(port), ...more], { stdio: ["ignore", "pipe", "inherit"] });
   const address = new Promise((resolve, reject) => {
     let said = "";
     program.stdout.on("data", (bytes) => {

@@ -6,6 +6,7 @@ import { GlPainter } from "./painter_gl";
 
 export const headHeight = 24; // above a specimen: its name [CSS pixels]
 const footHeight = 42; // below: stress and cracks, two lines
+const leastHeight = 200; // of one specimen
 
 function percentile(values: Float32Array, part: number): number {
   values.sort();
@@ -36,8 +37,19 @@ interface Loaded {
   range: [number, number, number]; // 98th percentile of |u|, |u_x|, |u_y| at the end [m]
 }
 
-function painterOn(canvas: HTMLCanvasElement): Painter {
-  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
+/** Whether WebGL is computed without a graphics processor. */
+function inSoftware(): boolean {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  if (!probe) return false;
+  const named = probe.getExtension("WEBGL_debug_renderer_info");
+  const renderer = String(probe.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : probe.RENDERER));
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
+}
+
+/** `soon`: a plain canvas also in place of WebGL without a graphics processor, which takes three times as long. */
+function painterOn(canvas: HTMLCanvasElement, soon: boolean): Painter {
+  const gl = soon && inSoftware() ? null : canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
   if (gl) return new GlPainter(gl);
   const flat = canvas.getContext("2d");
   if (!flat) throw new Error("this browser draws on no canvas");
@@ -60,8 +72,10 @@ export class Viewer {
     readonly tests: Shown[],
     private onLayout: () => void,
     private besides: () => number, // height of what is to be seen together with one specimen [CSS pixels]
+    private rims: [number, number] = [headHeight, footHeight], // above and below a specimen
+    soon = false,
   ) {
-    this.painter = painterOn(canvas);
+    this.painter = painterOn(canvas, soon);
     this.loaded = tests.map(() => null);
     this.strains = tests.map((t) => t.end);
     this.readColors();
@@ -115,6 +129,7 @@ export class Viewer {
 
   /** Divides the canvas into cells: as many columns as keep a specimen readable. */
   layout() {
+    const [head, foot] = this.rims;
     const shown = this.state.only === null ? this.tests.map((_, i) => i) : [this.state.only];
     const width = this.canvas.clientWidth;
     const first = this.loaded.find((l) => l !== null);
@@ -124,16 +139,16 @@ export class Viewer {
     const lines = Math.ceil(shown.length / columns);
     const even = Math.ceil(shown.length / lines);
     const cellWidth = width / even;
-    const limit = shown.length === 1 ? Math.max(200, window.innerHeight - headHeight - footHeight - this.besides()) : 620;
+    const limit = shown.length === 1 ? Math.max(leastHeight, window.innerHeight - head - foot - this.besides()) : 620;
     const cellHeight = Math.min(limit, cellWidth * aspect);
     this.cells = shown.map((test, k) => ({
       test,
       left: (k % even) * cellWidth,
-      top: Math.floor(k / even) * (cellHeight + headHeight + footHeight) + headHeight,
+      top: Math.floor(k / even) * (cellHeight + head + foot) + head,
       width: cellWidth,
       height: cellHeight,
     }));
-    const height = lines * (cellHeight + headHeight + footHeight);
+    const height = lines * (cellHeight + head + foot);
     this.height = height;
     this.canvas.style.aspectRatio = `${width} / ${height}`; // kept on paper, which is of another width
     const dpr = Math.min(2, window.devicePixelRatio || 1);

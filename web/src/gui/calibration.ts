@@ -141,7 +141,7 @@ export function calibrationView(rock: string, project: Project, ready: () => Pro
   }
 
   return {
-    node: h("div", {}, list, place.state, place.verdict, options.node, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, place.command, live.node, files.node, output),
+    node: h("div", {}, list, place.state, place.verdict, options.node, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, live.node, place.command, files.node, output),
     show(answer, dirty, gone) {
       const { calibration: c, calibrations } = answer;
       now = c;

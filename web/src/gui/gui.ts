@@ -175,7 +175,7 @@ function layOut(answer: RockAnswer) {
     rock.meet(next);
     calibration.show(next, rock.dirty, rock.gone);
     bench.show(next);
-    if (open) open.running = next.calibrations.some((c) => c.state === "running") || next.tests.some((t) => t.state === "running");
+    if (open) open.running = [next.calibration, ...next.calibrations].some((c) => c.state === "running") || next.tests.some((t) => t.state === "running");
   }
 
   open = { rock, table, show, meet, running: false };

@@ -17,6 +17,7 @@ export interface LiveView {
 }
 
 const shown = new Set<Picture>();
+(window as unknown as { phylliteLive: unknown }).phylliteLive = shown; // for tests: how long a picture takes
 export const redrawLive = () => shown.forEach((p) => p.recolor());
 
 /** A canvas with one specimen, which moves on from each picture to the next. */
@@ -31,7 +32,7 @@ class Picture {
   show(p: Press) {
     if (!this.viewer) {
       for (const other of shown) if (!other.canvas.isConnected || other.canvas.closest("[data-live=over]")) other.end(); // browsers keep few drawings by WebGL at a time
-      this.viewer = new Viewer(this.canvas, [{ cracks: this.none(), bedding: [], end: 1, load: null }], () => {}, () => innerHeight - tallest);
+      this.viewer = new Viewer(this.canvas, [{ cracks: this.none(), bedding: [], end: 1, load: null }], () => {}, () => innerHeight - tallest, [6, 6], true);
       this.observer.observe(this.canvas);
       shown.add(this);
     }
@@ -41,6 +42,10 @@ class Picture {
     this.viewer.put(0, now.scene);
     this.viewer.layout();
     this.move();
+  }
+
+  drawNow() {
+    this.viewer?.drawNow();
   }
 
   recolor() {

@@ -61,7 +61,7 @@ export function startView(project: () => Project, opened: (name: string) => Prom
 
   async function bring(table: string, file: string) {
     const wanted = free(name.value.trim() || nameOf(file));
-    await make(wanted, (empty) => ({ ...empty, table: file === "" ? paste(empty.table ?? "", 0, 0, block(table), project().columns.map((c) => [c].flat()[0])).text : table }));
+    await make(wanted, (empty) => ({ ...empty, table: file === "" ? paste("", 0, 0, block(table), project().columns.map((c) => [c].flat()[0])).text : table }));
   }
 
   async function bringFile(file: File) {
