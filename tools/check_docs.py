@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Holds the documents, and the comments of examples, to the rules of CONTRIBUTING, "Words": short sentences, few numbers, small cells, sound tables, live links.
+"""Holds the documents, comments of examples, and texts of the program to the rules of CONTRIBUTING, "Words": short sentences, few numbers,
+small cells, sound tables, live links, files that there are.
 
-Usage: check_docs.py [--list] [PAGE...]. Without pages: every page of the repository. `--list` prints a line per page: sentences,
+Usage: check_docs.py [--list] [PAGE...]. Without pages: every page and source of the repository. `--list` prints a line per page: sentences,
 median length, share above 30 words. Exit code 1 if a rule is broken. `make lint` runs it.
 """
 import pathlib
