@@ -110,6 +110,8 @@ class Texts(Page):
         self.path, self.name = path, path.relative_to(ROOT).as_posix()
         self.paragraphs, self.tables, self.links, self.places = [], [], [], []
         code = re.sub(r"(?<!:)//[^\n]*", "", path.read_text(encoding="utf-8"))
+        if path.suffix == ".ts":  # texts with numbers in them
+            code = re.sub(r"`((?:\\.|[^`\\])*)`", lambda m: '"' + re.sub(r"\$\{[^}]*\}", "x", m[1]).replace('"', "'").replace("\n", "\\n") + '"', code)
         for found in self.LITERALS.finditer(code):
             text = next(t for t in found.groups() if t is not None)
             if found[3]:
