@@ -14,7 +14,8 @@ RECIPES = {"press": "paper/press", "brazilian": "lab/brazilian", "semi-circular-
 # picture: run, kind of figure, width [pixels]
 FIGURES = {"cracks": ("press", "cracks", 1000), "anisotropy": ("press", "anisotropy", 1000), "stress_strain": ("press", "stress_strain", 800),
            "rose": ("press", "rose", 1000), "model": ("press", "model", 600), "brazilian": ("brazilian", "cracks", 800),
-           "semi-circular-bend": ("semi-circular-bend", "cracks", 800), "direct-shear": ("direct-shear", "cracks", 800)}
+           "semi-circular-bend": ("semi-circular-bend", "cracks", 800), "direct-shear": ("direct-shear", "cracks", 800),
+           "eq2": ("direct", "fig4", 1000)}
 STRIP = 428  # height of the moving picture [pixels]
 
 
@@ -40,6 +41,7 @@ def draw(program):
     for name, recipe in RECIPES.items():
         if not (WORK / name).exists():
             run(program, "run", f"examples/{recipe}.toml", "--out", WORK / name, quiet=False)
+    run(program, "study", "examples/paper/elastic-crossing.toml", "--out", WORK / "direct", quiet=False)  # resumed where it is
     for name, (result, kind, width) in FIGURES.items():
         run(program, "figure", WORK / result, "--kind", kind, "--format", "png", "--out", WORK / f"{name}.png")
         shrink(WORK / f"{name}.png", OUT / f"{name}.png", width)

@@ -111,6 +111,21 @@ The slope is that of the line. It ran on 25 November.
 
 
 class Documents(unittest.TestCase):
+    def test_texts_of_the_program(self):
+        """Neighbours are one text; comments and scripts are none."""
+        code = """
+// a comment that goes on and on about that of which nobody knows
+f("the strengths are those "
+  "of the recipe and of nothing else");
+g(R"(one two three four five that of;
+six seven)");
+h("%s");
+""" % " ".join(["word"] * 31)
+        with tempfile.TemporaryDirectory(dir=check_docs.ROOT) as folder:
+            path = pathlib.Path(folder) / "some.cpp"
+            path.write_text(code)
+            self.assertEqual([line for line, _ in check_docs.problems_of_text(check_docs.Texts(path))], [3, 7])
+
     def test_every_fault_of_a_page_is_found_once_and_code_is_left_alone(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "page.md")

@@ -152,7 +152,7 @@ Number crack_damage_volume(const LoadingBranch& branch) {
     place_turn(branch, 2.0, n);
   else if (std::isfinite(nu.value))
     n.note = joined(n.note, fmt::format("nu is not below {:g}: axial + 2 lateral strain hardly shortens even "
-                                        "where nothing cracks, and its turn tells nothing",
+                                        "where nothing cracks, and its turn means nothing",
                                         largest_nu));
   else if (!branch.empty())
     n.note = "nu is not known: " + nu.note;

@@ -85,7 +85,7 @@ Scope scope_of(const Evidence& evidence, const CalibrationOptions& options) {
     throw InputError(
         Problem{evidence.rock.name, "table", "",
                 options.elastic_only ? "values of E" : "values of E, or of a strength in compression",
-                "there is nothing to fit; `phyllite rock check` tells what the table holds"});
+                "there is nothing to fit; `phyllite rock check` shows what the table holds"});
   scope.read_in_tests = read_in_tests(evidence, options);
   scope.notes = notes_on(scope, evidence, options);
   return scope;

@@ -159,7 +159,7 @@ TEST(DiscFiles, CentresInOnePlaceAreToldWithBothLines) {
   const auto reported = [](const std::string& rows) { return problems_of(header + rows); };
   const std::string two = reported("0.01,0.01,1e-3\n0.02,0.01,1e-3\n0.01,0.01,5e-4\n");
   EXPECT_NE(two.find("d.csv:4"), two.npos) << two;
-  EXPECT_NE(two.find("that of line 2"), two.npos) << two;
+  EXPECT_NE(two.find("the disc of line 2"), two.npos) << two;
   EXPECT_EQ(reported("0.01,0.01,1e-3\n0.01,0.0100002,1e-3\n").substr(0, 7), "d.csv:3");  // 2e-4 of the radius
   EXPECT_EQ(reported("0.01,0.01,1e-3\n0.01,0.010002,1e-3\n"), "no error");               // 2e-3: an overlap
   EXPECT_EQ(reported("-1e300,0,1e-3\n1e300,0,1e-3\n"), "no error");                      // far apart

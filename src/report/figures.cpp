@@ -21,7 +21,7 @@ Figure stress_strain(const FigureData& data) {
   Figure figure = stress_strain_figure(data.run);
   if (!figure.panels.front().series.empty()) return figure;
   const Outcome o = data.run.tests.empty() ? Outcome{} : data.run.tests.front().result.outcome;
-  throw InputError(Problem{"result", "", "", "a test that came to be loaded", o.reason + "; " + o.advice});
+  throw InputError(Problem{"result", "", "", "a test that was loaded", o.reason + "; " + o.advice});
 }
 
 Figure anisotropy(const FigureData& data) {

@@ -38,7 +38,7 @@ Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options)
                              "run the recipe again with test.n_frames"});
   if (!(end_ > 0.0)) {
     const Outcome& o = places_.front().test->result.outcome;
-    throw InputError(Problem{"result", "", "", "a test that came to be loaded", o.reason + "; " + o.advice});
+    throw InputError(Problem{"result", "", "", "a test that was loaded", o.reason + "; " + o.advice});
   }
   const auto n = static_cast<double>(places_.size());
   const Scene& scene = places_.front().test->scene;

@@ -349,7 +349,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
                         c.verification.front().n_packings);
   text += ".";
   if (!c.discarded.empty())
-    text += fmt::format(" The numbers of solutions and tests include {} that {} not taken: {}.",
+    text += fmt::format(" The numbers include solutions and tests of {} that {} not taken: {}.",
                         c.discarded.size() > 1 ? "other models" : "another model",
                         c.discarded.size() > 1 ? "were" : "was", fmt::join(c.discarded, "; "));
   text += relations_text(c);

@@ -44,7 +44,7 @@ TEST(Methods, AMatrixOfFlatJoints) {
   r.matrix.model = MatrixModel::flat_joint, r.matrix.elements = 2, r.matrix.break_at = BreakAt::edge;
   r.matrix.gapped_fraction = 0.2, r.matrix.initial_gap = 1e-5;
   const std::string text = methods({test_of(r, "intact", peaked, {{1e-3, 50}, {2e-3, 100}})});
-  EXPECT_THAT(text, AllOf(HasSubstr("Potyondy 2012"), HasSubstr("interfaces of 2 elements"),
+  EXPECT_THAT(text, AllOf(HasSubstr("Potyondy 2012"), HasSubstr("Interfaces of 2 elements"),
                           HasSubstr("at the edge of an element"), HasSubstr("20 % of the contacts"),
                           Not(HasSubstr("parallel bonds"))));
 }
@@ -72,7 +72,7 @@ TEST(Methods, EveryTestEndsAsItDid) {
       text,
       AllOf(
           HasSubstr("theta = 0 deg, theta = 90 deg: the axial stress had fallen below 60 % of its peak"),
-          HasSubstr("theta = 30 deg: the axial strain exceeded that of the peak by 100 %"),
+          HasSubstr("theta = 30 deg: the axial strain exceeded its value at the peak by 100 %"),
           HasSubstr("theta = 45 deg: past a peak that the axial stress fell from by 10 %, at the full axial "
                     "strain of 0.3 %"),
           HasSubstr("theta = 60 deg: not peaked, no drop to 60 %"),
@@ -182,8 +182,9 @@ TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
     EXPECT_THAT(text, testing::HasSubstr(part));
   EXPECT_THAT(text, Not(HasSubstr("another model")));
   c.discarded = {"joints on planes"};
-  EXPECT_THAT(methods_text(c, "0.9"), testing::Contains(HasSubstr("include those of another model that was "
-                                                                  "not taken: joints on planes.")));
+  EXPECT_THAT(methods_text(c, "0.9"),
+              testing::Contains(HasSubstr("include solutions and tests of another model that was "
+                                          "not taken: joints on planes.")));
   c.discarded.emplace_back("directions of the bonds");
   EXPECT_THAT(methods_text(c, "0.9"),
               testing::Contains(HasSubstr("other models that were not taken: joints on planes; directions")));

@@ -295,7 +295,7 @@ TEST_F(Imported, DiscsInOnePlaceAreTold) {
   const std::string last = discs.substr(discs.rfind('\n', discs.size() - 2) + 1);
   write("sub/discs.csv", discs + last);
   EXPECT_EQ(run("specimen " + recipe(box)), 2);
-  EXPECT_THAT(output, AllOf(HasSubstr("discs.csv:333: disc"), HasSubstr("that of line 332")));
+  EXPECT_THAT(output, AllOf(HasSubstr("discs.csv:333: disc"), HasSubstr("the disc of line 332")));
 }
 TEST_F(Imported, DiscsOfAnotherScaleAreTold) {
   write("sub/discs.csv", "x [m],y [m],r [m]\n4e-3,4e-3,1e-12\n5e-3,4e-3,1e-12\n");

@@ -57,7 +57,7 @@ TEST_F(Unstable, ATestThatBlowsUpRuinsNothing) {
     EXPECT_EQ(run("figure " + out() + " --kind cracks --out " + at("c.svg")), 0) << output;
   }
   EXPECT_EQ(run("film " + out() + " --out " + at("f.gif")), 2);
-  EXPECT_THAT(output, HasSubstr("a test that came to be loaded"));
+  EXPECT_THAT(output, HasSubstr("a test that was loaded"));
 }
 
 TEST_F(Unstable, AStudyKeepsItLikeAnyOtherResult) {
