@@ -449,6 +449,15 @@ class Verdict:
         return "\n".join([self.sentence, *self.lines])
 
 
+@dataclass(frozen=True)
+class Missed:
+    """What a calibrated model misses of a strength (docs/theory/inference.md): multiply the model's number by a factor."""
+
+    factor: float  #: rock/model, of the estimate
+    sd: float  #: standard deviation of the logarithm of the factor
+    of_draws: List[float]  #: rock/model of each recipe of `Calibration.ensemble`
+
+
 class Calibration:
     """What a calibration has found; str() of it is what the command prints."""
 
@@ -475,6 +484,14 @@ class Calibration:
     def table(self) -> List[Comparison]:
         """Laboratory beside model: on unseen packings where there are some, else on those of the fit."""
         return self.verification or self.fitted
+
+    def missed(self, property: str, theta: float = 0.0, confining: float = 0.0) -> Optional[Missed]:
+        """What the model misses of a strength ("UCS", "BTS", "sigma_1") at theta [deg] under confining [Pa].
+
+        None: the table has no such strength, so that this is not known.
+        """
+        row = self._record.missed(property, theta, confining)
+        return None if row is None else Missed(**row)
 
     def to_dict(self) -> Dict[str, Any]:
         """Everything, as calibration.json has it (docs/formats.md)."""

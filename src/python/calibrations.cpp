@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "base/clock.hpp"
 #include "base/version.hpp"
+#include "calibrate/discrepancy.hpp"
 #include "io/regressions.hpp"
 #include "jobs/calibration_job.hpp"
 #include "jobs/machine.hpp"
@@ -112,6 +114,24 @@ py::list rows_of(const std::vector<Comparison>& table) {
   return rows;
 }
 
+/// rock/model of a strength, its relative standard deviation, and the factor of every draw; None: the table
+/// has no such strength.
+py::object missed(const Calibration& c, const std::string& name, double theta, double confining) {
+  const MeasuredProperty* property = find_property(name);
+  if (property == nullptr) throw py::value_error(name + ": no property of a table");
+  const calibrate::Discrepancy discrepancy(c.residuals);
+  if (!discrepancy.knows(property->property)) return py::none();
+  Target test;
+  test.property = property->property, test.theta = theta, test.confining = confining;
+  const calibrate::Discrepancy::Term term = discrepancy.at(test);
+  std::vector<double> of_draws;
+  for (std::size_t k = 0; k < discrepancy.n_draws(); ++k)
+    of_draws.push_back(std::exp(discrepancy.of_draw(term, k)));
+  py::dict row;
+  row["factor"] = std::exp(term.mean), row["sd"] = std::sqrt(term.variance), row["of_draws"] = of_draws;
+  return row;
+}
+
 study::Study study_from(const py::dict& keys, const py::object& recipe) {
   const auto base = recipe.cast<Recipe>();
   keys["recipe"] = base.name;
@@ -194,6 +214,7 @@ void add_calibrations(py::module_& m) {
       .def_property_readonly("verification", [](const Calibration& c) { return rows_of(c.verification); })
       .def_property_readonly("left_out", [](const Calibration& c) { return rows_of(c.left_out); })
       .def_property_readonly("compared", [](const Calibration& c) { return rows_of(c.compared); })
+      .def("missed", &missed, py::arg("property"), py::arg("theta"), py::arg("confining"))
       .def("text", [](const Calibration& c) { return jobs::screen_of(c, 0); })
       .def("json", [](const Calibration& c) { return report::calibration_json(c, phy::version); })
       .def("save", &save, py::arg("folder"));
