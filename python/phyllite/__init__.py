@@ -36,7 +36,7 @@ _sys.modules[__name__ + ".theory"] = theory
 Path = Union[str, "_os.PathLike[str]"]
 
 __all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "Finding", "InputError", "InternalError",
-           "IoError", "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
+           "IoError", "LawParameter", "Missed", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
            "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "rock",
            "rocks", "run", "study", "theory", "__version__"]
 
