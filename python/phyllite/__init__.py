@@ -42,7 +42,7 @@ _sys.modules[__name__ + ".theory"] = theory
 Path = Union[str, "_os.PathLike[str]"]
 
 __all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "Finding", "InputError", "InternalError",
-           "IoError", "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
+           "IoError", "LawParameter", "Missed", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
            "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "load", "rock",
            "rocks", "run", "study", "theory", "__version__"]
 
@@ -586,6 +586,15 @@ class Verdict:
         return "\n".join([self.sentence, *self.lines])
 
 
+@dataclass(frozen=True)
+class Missed:
+    """What a calibrated model misses of a strength (docs/theory/inference.md): multiply the model's number by a factor."""
+
+    factor: float  #: rock/model, of the estimate
+    sd: float  #: standard deviation of the logarithm of the factor
+    of_draws: List[float]  #: rock/model of each recipe of `Calibration.ensemble`
+
+
 class Calibration:
     """The result of a calibration; str() of it is the output of the command."""
 
@@ -623,6 +632,14 @@ class Calibration:
     def table(self) -> List[Comparison]:
         """Laboratory beside model: on unseen packings where there are some, else on packings of the fit."""
         return self.verification or self.fitted
+
+    def missed(self, property: str, theta: float = 0.0, confining: float = 0.0) -> Optional[Missed]:
+        """What the model misses of a strength ("UCS", "BTS", "sigma_1") at theta [deg] under confining [Pa].
+
+        None: the table has no such strength, so that this is not known.
+        """
+        row = _core.missed(self._content, self.folder or "calibration", property, theta, confining)
+        return None if row is None else Missed(**row)
 
     def to_dict(self) -> Dict[str, Any]:
         """Everything, as calibration.json has it (docs/formats.md)."""

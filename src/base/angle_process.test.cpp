@@ -33,8 +33,28 @@ TEST(AngleProcess, OneCellAtItsOwnPlaceIsDrawnTowardsNothing) {
   EXPECT_LT(here.mean, 0.3);
   EXPECT_GT(here.mean, 0.29) << "no size that explains 0.3 shrinks it by much";
   EXPECT_NEAR(here.weights[0] * 0.3, here.mean, 1e-12);
-  // a fifth of the strength on the sides is one length: exp(-1/2) of the covariance
-  EXPECT_NEAR(one.at({20.0, 0.2}).mean, std::exp(-0.5) * here.mean, 1e-12);
+}
+
+// A stress that no cell has: the level stays, and the doubt is that of a slope of which nothing is known.
+TEST(AngleProcess, CellsOfOneStressLeaveTheSlopeOpen) {
+  const AngleProcess p(cells_of(wave, 1e-4), 0.1);
+  const double known = p.at({40.0, 0.0}).variance, slope = AngleProcess({}, 0.1).at({40.0, 0.2}).variance -
+                                                           AngleProcess({}, 0.1).at({40.0, 0.0}).variance;
+  EXPECT_GT(slope, 0.1 * 0.1);
+  for (const double stress : {0.1, 0.4}) {
+    EXPECT_NEAR(p.at({40.0, stress}).mean, p.at({40.0, 0.0}).mean, 1e-12);
+    EXPECT_NEAR(p.at({40.0, stress}).variance, known + slope * std::pow(stress / 0.2, 2), 1e-9);
+  }
+}
+
+TEST(AngleProcess, TwoStressesSettleTheSlope) {
+  std::vector<AngleCell> cells = cells_of(wave, 1e-4);
+  for (AngleCell c : cells_of(wave, 1e-4)) c.place.stress = 0.1, c.value += 0.1, cells.push_back(c);
+  const AngleProcess p(cells, 0.1);
+  const AngleProcess::Prediction beyond = p.at({40.0, 0.2}),
+                                 one = AngleProcess(cells_of(wave, 1e-4), 0.1).at({40.0, 0.2});
+  EXPECT_NEAR(beyond.mean, wave(40.0) + 0.2, 0.03);
+  EXPECT_LT(beyond.variance, 0.1 * one.variance);
 }
 
 TEST(AngleProcess, WhatACellHasOfItsOwnIsWantedThereAlone) {

@@ -172,7 +172,7 @@ void take(Calibration& c, const Found& found, const StageTask& task) {
   if (found.strengths) {
     const StrengthFit& fit = found.strengths->fit;
     append(c.fitted, fit.fitted), append(c.notes, fit.notes);
-    c.left_out = fit.left_out, c.discrepancy = fit.discrepancy;
+    c.left_out = fit.left_out, c.discrepancy = fit.discrepancy, c.residuals = fit.residuals;
     c.mixing = fit.mixing, c.shortage = fit.shortage;
     if (found.verified && found.strengths->answered() && task.scope.read_in_tests)
       c.E_is = task.evidence.rock.E_is;

@@ -16,50 +16,46 @@
 #include <vector>
 
 #include "base/angle_process.hpp"
-#include "records/rock.hpp"
+#include "records/calibration.hpp"
 
 namespace phy::calibrate {
-
-/// A strength of the table against the model.
-struct Residual {
-  double value = 0.0;    ///< log(laboratory/model)
-  double noise = 0.0;    ///< variance of the laboratory
-  double unknown = 0.0;  ///< variance of the model's own answer
-};
 
 class Discrepancy {
  public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  /// `residuals`: of the targets, in their order; `left_out` is not used.
-  Discrepancy(const std::vector<Target>& targets, const std::vector<Residual>& residuals,
-              std::size_t left_out = none);
+  /// `left_out`: a residual that is not used.
+  explicit Discrepancy(std::vector<StrengthResidual> residuals, std::size_t left_out = none);
 
-  /// log(rock/model) at a target is the sum of `weights` times the residuals of the targets, about which the
-  /// rock lies with `variance`. Draws have residuals of their own, and these weights.
+  /// log(rock/model) is the sum of `weights` times the residuals, about which the rock lies with `variance`.
   struct Term {
     std::vector<double> weights;
+    double mean = 0.0;  ///< at the estimate
     double variance = 0.0;
-    double mean(const std::vector<Residual>& residuals) const;
   };
-  Term of(std::size_t target) const;
-  /// The same where no test of the table was made: delta alone.
-  struct Value {
-    double mean = 0.0, variance = 0.0;
-  };
-  Value at(const Target& test, double theta) const;
+  /// Where the table has a value: of the model as far as its stand-in knows it.
+  Term of(std::size_t residual) const;
+  /// In any test of a known kind: of the model itself, which is run.
+  Term at(const Target& test) const;
+  /// Has the table strengths of this kind?
+  bool knows(Property property) const;
+  /// A draw misses the table in its own way and is corrected by the weights of the estimate: one that is too
+  /// strong everywhere is brought back, so that the level is not counted twice.
+  double of_draw(const Term& term, std::size_t draw) const;
+  /// How many draws the residuals have.
+  std::size_t n_draws() const { return residuals_.empty() ? 0 : residuals_.front().of_draws.size(); }
 
  private:
   struct Group {
     double strength = 0.0;             ///< mean of the table
-    std::vector<std::size_t> members;  ///< targets, without the one left out
+    std::vector<std::size_t> members;  ///< residuals, without the one left out
     std::optional<AngleProcess> process;
   };
-  std::vector<Target> targets_;
-  std::vector<double> unknown_;
+  std::vector<StrengthResidual> residuals_;
   std::map<Property, Group> groups_;
 
   const Group& group_of(Property property) const;
-  AnglePlace place_of(const Target& test, double theta) const;
+  AnglePlace place_of(const Target& test) const;
+  Term term_of(const Group& group, const AngleProcess::Prediction& prediction) const;
 };
 
 }  // namespace phy::calibrate

@@ -7,8 +7,8 @@
 // scatter of the laboratory, what the surrogate does not know of the model, what one property of the table
 // misses (the discrepancy of strength_posterior.hpp), what the table leaves open, and the scatter of
 // specimens. Moduli and strengths are drawn apart from each other, as they are fitted one after the other.
-// Not in it: what the model gets wrong in a test that the table does not hold. No table of another test can
-// tell that.
+// Not in it: what the model gets wrong. Of strengths that the table has, discrepancy.hpp tells it after the
+// draws are run; of a test that the table does not hold, no table of another test can.
 //
 // Of twenty draws and one more from the same distribution every order is as likely as any other: the
 // twenty-first lies between the smallest and the largest of the twenty with a probability of 19/21 = 90.5 %.

@@ -158,43 +158,44 @@ std::vector<Estimate> estimates_of(const StrengthPosterior& posterior, const std
   return all;
 }
 
-/// The strengths of the table against the model at a point.
-std::vector<Residual> residuals_at(const StrengthPosterior& posterior, const Point& x) {
-  const std::vector<StrengthPosterior::Miss> misses = posterior.misses(x);
-  std::vector<Residual> all;
+/// The strengths of the table against the model at the estimate, and at draws.
+std::vector<StrengthResidual> residuals_of(const StrengthPosterior& posterior, const Point& estimate,
+                                           const std::vector<Point>& draws) {
+  const std::vector<StrengthPosterior::Miss> misses = posterior.misses(estimate);
+  std::vector<StrengthResidual> all;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
-    all.push_back({misses[i].error, misses[i].scatter, misses[i].variance});
+    all.push_back({posterior.targets()[i], misses[i].error, misses[i].scatter, misses[i].variance});
+  for (const Point& x : draws) {
+    const std::vector<StrengthPosterior::Miss> of_draw = posterior.misses(x);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].of_draws.push_back(of_draw[i].error);
+  }
   return all;
 }
 
 /// What predictions rest on: residuals at the estimate and at the draws, and what the model misses.
 struct Predictor {
-  std::vector<Residual> best;
-  std::vector<std::vector<Residual>> draws;
+  std::vector<StrengthResidual> residuals;
   Discrepancy discrepancy;
 
-  Predictor(const StrengthPosterior& posterior, const std::vector<Point>& points, const Point& estimate,
+  Predictor(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& estimate,
             std::size_t left_out = Discrepancy::none)
-      : best(residuals_at(posterior, estimate)), discrepancy(posterior.targets(), best, left_out) {
-    for (const Point& x : points) draws.push_back(residuals_at(posterior, x));
-  }
+      : residuals(residuals_of(posterior, estimate, draws)), discrepancy(residuals, left_out) {}
   /// A target's row. The interval over all draws is the rock's own strength, which model and laboratory know
   /// together; of a target left out it is the laboratory's mean, which is yet to be seen.
   Comparison row(const Target& t, std::size_t i, bool left_out) const {
     const Discrepancy::Term term = discrepancy.of(i);
-    // Each draw misses the table in its own way and is corrected by the weights of the estimate: a draw that
-    // is too strong everywhere is brought back, so that the level is not counted twice.
-    const double sd = std::sqrt(term.variance + (left_out ? best[i].noise : 0.0));
+    const StrengthResidual& own = residuals[i];
+    const double sd = std::sqrt(term.variance + (left_out ? own.noise : 0.0));
     std::vector<double> logs;
-    for (std::size_t k = 0; k < draws.size(); ++k)
-      logs.push_back(std::log(t.mean) - draws[k][i].value + term.mean(draws[k]) +
+    for (std::size_t k = 0; k < own.of_draws.size(); ++k)
+      logs.push_back(std::log(t.mean) - own.of_draws[k] + discrepancy.of_draw(term, k) +
                      sd * normal(sampler_seed, Stream::calibration, static_cast<std::uint32_t>(k),
                                  static_cast<std::uint32_t>(i), 1000U));
     const auto [low, high] = interval_of(logs);
-    const double model = std::log(t.mean) - best[i].value, centre = model + term.mean(best);
+    const double model = std::log(t.mean) - own.value, centre = model + term.mean;
     Comparison c;
     c.target = t, c.mean = std::exp(model);
-    c.with_discrepancy = std::exp(model + discrepancy.at(t, t.theta).mean);
+    c.with_discrepancy = std::exp(model + discrepancy.at(t).mean);
     c.low = std::exp(std::min(low, centre)), c.high = std::exp(std::max(high, centre));
     return c;
   }
@@ -207,9 +208,12 @@ struct Predictor {
         continue;
       const double steepest = measured(targets[i].property).along_bedding ? 0.0 : 90.0;
       for (double theta = 0.0; theta <= steepest; theta += 5.0) {
-        const auto [mean, variance] = discrepancy.at(targets[i], theta);
-        const double half = z_95 * std::sqrt(variance);
-        all.push_back({targets[i], theta, std::exp(mean), std::exp(mean - half), std::exp(mean + half)});
+        Target test = targets[i];
+        test.theta = theta;
+        const Discrepancy::Term term = discrepancy.at(test);
+        const double half = z_95 * std::sqrt(term.variance);
+        all.push_back(
+            {targets[i], theta, std::exp(term.mean), std::exp(term.mean - half), std::exp(term.mean + half)});
       }
     }
     return all;
@@ -421,8 +425,9 @@ class StrengthSearch {
     fit_.parameters = estimates_of(posterior_, draws_, estimate_);
     for (const Parameter* p : posterior_.parameters())
       if (p->over != nullptr) fit_.parameters.push_back(strength_behind(*p, posterior_, draws_, fit_.recipe));
-    for (const Point& x : evenly_taken(draws_, ensemble_size))
-      fit_.draws.push_back(posterior_.recipe_at(fit_.recipe, x));
+    const std::vector<Point> ensemble = evenly_taken(draws_, ensemble_size);
+    for (const Point& x : ensemble) fit_.draws.push_back(posterior_.recipe_at(fit_.recipe, x));
+    fit_.residuals = residuals_of(posterior_, estimate_, ensemble);
     const Predictor predictor(posterior_, draws_, estimate_);
     fit_.discrepancy = predictor.factors(targets_);
     for (std::size_t i = 0; i < targets_.size(); ++i) {

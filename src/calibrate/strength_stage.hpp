@@ -28,9 +28,10 @@ struct StrengthFit {
   std::vector<Estimate> parameters;  ///< what was sought, then the strengths that the ratios stand for
   std::vector<Comparison> fitted;  ///< what the surrogate predicts at the estimate; those without any answer
                                    ///< alone, where nothing could be fitted
-  std::vector<Comparison> left_out;      ///< each target predicted without it; empty below four targets
-  std::vector<AngleFactor> discrepancy;  ///< of the model at the estimate, at every fifth degree
-  std::vector<Recipe> draws;             ///< of the strengths, jointly (posterior_ensemble.hpp)
+  std::vector<Comparison> left_out;         ///< each target predicted without it; empty below four targets
+  std::vector<AngleFactor> discrepancy;     ///< of the model at the estimate, at every fifth degree
+  std::vector<StrengthResidual> residuals;  ///< of the targets, at the estimate and at `draws`
+  std::vector<Recipe> draws;                ///< of the strengths, jointly (posterior_ensemble.hpp)
   std::int64_t n_without_peak = 0;
   Shortage shortage;              ///< of the search
   std::vector<Finding> findings;  ///< `search_unanswered`: then nothing was fitted

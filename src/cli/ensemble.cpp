@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "base/check.hpp"
 #include "base/quote.hpp"
 #include "base/text_table.hpp"
 #include "base/units.hpp"
+#include "calibrate/discrepancy.hpp"
 #include "calibrate/simulator.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
@@ -20,6 +22,7 @@
 #include "jobs/calibration_folder.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
+#include "report/calibration_files.hpp"
 #include "report/words.hpp"
 #include "study/band.hpp"
 #include "study/experiment.hpp"
@@ -61,6 +64,17 @@ std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
                 "this version, "
                 "or by --method sequence, has no draws"});
   return draws;
+}
+
+/// What the calibration beside a recipe misses of its table; nothing: it is not there, it fitted no strengths
+/// or is of an earlier version.
+std::optional<calibrate::Discrepancy> read_discrepancy(const std::string& path, std::size_t n_draws) {
+  const std::string file = (fs::path(path).parent_path() / "calibration.json").string();
+  const auto text = io::read_if_file(file, largest_document);
+  if (!text) return {};
+  calibrate::Discrepancy discrepancy(report::comparisons_of(*text, file).residuals);
+  if (discrepancy.n_draws() < n_draws) return {};
+  return discrepancy;
 }
 
 /// A test of an ensemble.
@@ -123,15 +137,49 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   return true;
 }
 
+/// The value of a laboratory's table that a number stands for; nothing: none that a calibration knows what it
+/// misses of. Rock between the layers is none of its tests.
+std::optional<Target> value_of(const Job& job, const Recipe& draw, const std::string& number) {
+  const TestKind& kind = job.single.test.kind;
+  const auto property = property_of(kind->name, number);
+  if (!property || (job.result.intact && layered(draw))) return {};
+  Target value;
+  value.property = *property;
+  if (layered(draw) && !measured(*property).along_bedding) value.theta = job.result.theta;
+  if (kind->kept_stress.value != nullptr) value.confining = job.single.test.*kind->kept_stress.value;
+  return value;
+}
+
+/// What a draw misses of its own numbers.
+void add_missed(study::Predictions& numbers, const Job& job, const Recipe& draw,
+                const calibrate::Discrepancy& discrepancy) {
+  for (study::Prediction& p : numbers) {
+    const auto value = value_of(job, draw, p.number);
+    if (!value || !discrepancy.knows(value->property)) continue;
+    const calibrate::Discrepancy::Term term = discrepancy.at(*value);
+    p.missed = discrepancy.of_draw(term, job.draw), p.missed_sd = std::sqrt(term.variance);
+  }
+}
+
+/// What predictions are made from.
+struct Tested {
+  const std::vector<Recipe>& draws;
+  const std::vector<double>& confining;  ///< [Pa] of an envelope
+  std::vector<Job> jobs;
+  std::optional<calibrate::Discrepancy> discrepancy;
+};
+
 /// Of draw k, the fits of an envelope after the tests.
-study::Predictions predictions_of(const std::vector<Job>& jobs, std::size_t k,
-                                  const std::vector<double>& confining) {
+study::Predictions predictions_of(const Tested& tested, std::size_t k) {
+  const std::vector<double>& confining = tested.confining;
   study::Predictions all;
   study::EnvelopeTests tests{confining, std::vector<std::vector<TestResult>>(confining.size())};
   const Recipe* rock = nullptr;
-  for (const Job& job : jobs) {
+  for (const Job& job : tested.jobs) {
     if (job.draw != k) continue;
-    for (study::Prediction& p : study::predictions_of(job.result, job.sigma_3)) all.push_back(std::move(p));
+    study::Predictions numbers = study::predictions_of(job.result, job.sigma_3);
+    if (tested.discrepancy) add_missed(numbers, job, tested.draws[k], *tested.discrepancy);
+    for (study::Prediction& p : numbers) all.push_back(std::move(p));
     const auto at = std::find(confining.begin(), confining.end(), job.sigma_3) - confining.begin();
     if (!confining.empty()) tests.results[static_cast<std::size_t>(at)].push_back(job.result);
     rock = &job.single;
@@ -167,13 +215,14 @@ std::string tests_csv(const std::vector<Job>& jobs) {
   return text;
 }
 
-/// The bands of one number; nothing where no test has it.
-void print_bands(const std::vector<study::Band>& all, const TableColumn& c, int width) {
+/// The bands of one number, the model's and, where it is known what the model misses, the rock's; nothing
+/// where no test has it. Is there one of the rock?
+bool print_bands(const std::vector<study::Band>& all, const TableColumn& c, int width) {
   std::vector<study::Band> bands;
   // A table for every number.
   std::copy_if(all.begin(), all.end(), std::back_inserter(bands),
                [&](const study::Band& b) { return b.number == c.number; });
-  if (bands.empty()) return;
+  if (bands.empty()) return false;
   using B = const study::Band&;
   const auto number = [](double value, double scale, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}f}", value * scale, digits) : "-";
@@ -181,25 +230,37 @@ void print_bands(const std::vector<study::Band>& all, const TableColumn& c, int 
   const auto of = [&](const char* head, double study::Band::*value) {
     return column_of(head, c.unit, bands, [&](B b) { return number(b.*value, c.scale, c.digits); });
   };
-  Columns columns = {
+  const Columns columns = {
       of(c.head, &study::Band::median), of("from", &study::Band::low), of("to", &study::Band::high),
       column_of("width", "%", bands, [&](B b) { return number(b.width(), 100.0, 0); }),
       column_of("without", "draws", bands, [](B b) { return fmt::format("{}", b.n_without); })};
+  const bool rock = std::any_of(bands.begin(), bands.end(), [](B b) { return b.has_rock(); });
+  std::vector<Columns> groups = {columns};
+  if (rock)
+    groups.push_back({column_of("rock/model", "", bands, [&](B b) { return number(b.factor, 1.0, 2); }),
+                      column_of("+-", "%", bands, [&](B b) { return number(b.factor_sd, 100.0, 0); }),
+                      of("rock", &study::Band::rock), of("from", &study::Band::rock_low),
+                      of("to", &study::Band::rock_high)});
   if (std::any_of(bands.begin(), bands.end(), [](B b) { return std::isfinite(b.place.sigma_3); }))
-    columns.insert(columns.begin(),
-                   column_of("sigma_3", "MPa", bands, [&](B b) { return number(b.place.sigma_3, 1e-6, 1); }));
+    groups.front().insert(groups.front().begin(), column_of("sigma_3", "MPa", bands, [&](B b) {
+                            return number(b.place.sigma_3, 1e-6, 1);
+                          }));
   const Column label = column_of("theta", "deg", bands, [](B b) {
     return b.place.intact ? "intact" : fmt::format("{:g}", b.place.theta);
   });
-  print_out("\n{}", text_table(label, {columns}, width));
+  print_out("\n{}", text_table(label, groups, width));
+  return rock;
 }
 
-/// What a table shows of a test: the number that it is made for, and the modulus.
-std::vector<TableColumn> columns_of(const TestKind& kind) {
+/// What a table shows of a test: the number that it is made for, the modulus, and what is known of the rock.
+std::vector<TableColumn> columns_of(const TestKind& kind, const std::vector<study::Band>& bands) {
   std::vector<TableColumn> columns;
-  for (const TableColumn& c : kind->table)
-    if (c.number == kind->curve.quantity().number || std::string(c.number) == "E_tangent")
+  for (const TableColumn& c : kind->table) {
+    const bool rock = std::any_of(bands.begin(), bands.end(),
+                                  [&](const study::Band& b) { return b.number == c.number && b.has_rock(); });
+    if (rock || c.number == kind->curve.quantity().number || std::string(c.number) == "E_tangent")
       columns.push_back(c);
+  }
   return columns;
 }
 const std::vector<TableColumn> columns_of_envelope = {{"sigma_1", "MPa", "sigma_1", 1e-6, 2},
@@ -223,12 +284,20 @@ void print_left_out(const std::vector<Job>& jobs, int width) {
 
 void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>& bands, std::size_t n_draws,
                     bool envelope, int width) {
-  for (const TableColumn& c : envelope ? columns_of_envelope : columns_of(jobs.front().single.test.kind))
-    print_bands(bands, c, width);
+  bool rock = false;
+  for (const TableColumn& c :
+       envelope ? columns_of_envelope : columns_of(jobs.front().single.test.kind, bands))
+    rock = print_bands(bands, c, width) || rock;
   print_wrapped(width, 2,
                 "\nmedian, smallest and largest of the draws: {} of them hold one more with a probability of "
                 "{:.1f} %, n of them with (n - 1)/(n + 1)\n",
                 n_draws, 100.0 * study::band_probability(n_draws));
+  print_wrapped(
+      width, 2, "{}\n",
+      rock ? "rock: the model times what it misses of the calibration's table (rock/model); its "
+             "band has the same probability. Columns before it are the model alone"
+           : "what the model misses of this test is not known: the calibration's table has no such "
+             "strength, or calibration.json is not beside the recipe. The bands are the model alone");
   const auto missing =
       std::count_if(bands.begin(), bands.end(), [](const study::Band& b) { return b.n_without > 0; });
   if (missing > 0)
@@ -263,7 +332,8 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
                              "Choose another --out"});
   io::check_outputs({tests, band});
   io::check_writable(args.out);
-  std::vector<Job> jobs = jobs_of(draws, confining);
+  Tested tested{draws, confining, jobs_of(draws, confining), read_discrepancy(path, draws.size())};
+  std::vector<Job>& jobs = tested.jobs;
   print_wrapped(width, 10,
                 "ensemble  {} draws beside {}, {} tests; of the file itself: [test] and [engine]\n",
                 draws.size(), path, jobs.size());
@@ -275,7 +345,7 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
     return 1;
   }
   std::vector<study::Predictions> predictions;
-  for (std::size_t k = 0; k < draws.size(); ++k) predictions.push_back(predictions_of(jobs, k, confining));
+  for (std::size_t k = 0; k < draws.size(); ++k) predictions.push_back(predictions_of(tested, k));
   const std::vector<study::Band> bands = study::bands_of(predictions);
   io::write_output(tests, tests_csv(jobs));
   io::write_output(band, study::bands_csv(bands));

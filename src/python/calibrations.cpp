@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "base/clock.hpp"
 #include "base/option.hpp"
 #include "base/version.hpp"
+#include "calibrate/discrepancy.hpp"
 #include "io/load_variation.hpp"
 #include "io/regressions.hpp"
 #include "jobs/calibration_job.hpp"
@@ -75,6 +77,25 @@ void save(const Calibration& c, const std::string& folder) {
 /// name.
 std::string calibration_figure(const std::string& json, const std::string& file) {
   return report::figure_json(report::calibration_figure(report::comparisons_of(json, file))).dump();
+}
+
+/// rock/model of a strength, its relative standard deviation, and the factor of every draw; None: the table
+/// has no such strength.
+py::object missed(const std::string& json, const std::string& file, const std::string& name, double theta,
+                  double confining) {
+  const MeasuredProperty* property = find_property(name);
+  if (property == nullptr) throw py::value_error(name + ": no property of a table");
+  const calibrate::Discrepancy discrepancy(report::comparisons_of(json, file).residuals);
+  if (!discrepancy.knows(property->property)) return py::none();
+  Target test;
+  test.property = property->property, test.theta = theta, test.confining = confining;
+  const calibrate::Discrepancy::Term term = discrepancy.at(test);
+  std::vector<double> of_draws;
+  for (std::size_t k = 0; k < discrepancy.n_draws(); ++k)
+    of_draws.push_back(std::exp(discrepancy.of_draw(term, k)));
+  py::dict row;
+  row["factor"] = std::exp(term.mean), row["sd"] = std::sqrt(term.variance), row["of_draws"] = of_draws;
+  return row;
 }
 
 study::Study study_from(const py::dict& keys, const py::object& recipe) {
@@ -167,6 +188,8 @@ void add_calibrations(py::module_& m) {
   m.def("calibrate", &calibrate, py::arg("rock"), py::arg("options"), py::arg("threads"),
         py::arg("progress"));
   m.def("calibration_figure", &calibration_figure, py::arg("json"), py::arg("file"));
+  m.def("missed", &missed, py::arg("json"), py::arg("file"), py::arg("property"), py::arg("theta"),
+        py::arg("confining"));
   m.def("load_study", &load_study, py::arg("folder"));
   m.def("study_figure", &study_figure, py::arg("folder"), py::arg("kind"));
   m.def("study", &run_study, py::arg("source"), py::arg("keys"), py::arg("folder"), py::arg("threads"),

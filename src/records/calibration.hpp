@@ -125,6 +125,16 @@ struct AngleFactor {
   double factor = 1.0, low = 1.0, high = 1.0;
 };
 
+/// A strength of the table against the calibrated model, in logarithms: laboratory less model
+/// (calibrate/discrepancy.hpp).
+struct StrengthResidual {
+  Target target;
+  double value = 0.0;                 ///< at the estimate
+  double noise = 0.0;                 ///< variance of the laboratory
+  double unknown = 0.0;               ///< variance of the model's own answer
+  std::vector<double> of_draws = {};  ///< the value at every draw of the ensemble
+};
+
 /// What a search of strengths had less than a usual one (calibrate/effort.hpp).
 struct Shortage {
   bool of_effort = false;  ///< points, for a lower effort
@@ -158,10 +168,11 @@ struct Calibration {
   Recipe recipe;                 ///< the calibrated model, ready to run
   std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)
   std::vector<ParameterEstimate> parameters;
-  std::vector<Comparison> fitted;        ///< on the packings of the fit
-  std::vector<Comparison> verification;  ///< on packings that the fit has not seen
-  std::vector<Comparison> left_out;      ///< each value predicted without it
-  std::vector<AngleFactor> discrepancy;  ///< of the strengths, at every fifth degree
+  std::vector<Comparison> fitted;           ///< on the packings of the fit
+  std::vector<Comparison> verification;     ///< on packings that the fit has not seen
+  std::vector<Comparison> left_out;         ///< each value predicted without it
+  std::vector<AngleFactor> discrepancy;     ///< of the strengths, at every fifth degree
+  std::vector<StrengthResidual> residuals;  ///< what `discrepancy` is learnt from
   /// K_Ic of a rock whose grain size nobody has stated, on unseen packings: beside the table, not fitted to
   /// it.
   std::vector<Comparison> compared;

@@ -144,6 +144,20 @@ Json discrepancy_json(const std::vector<AngleFactor>& factors) {
   return list;
 }
 
+Json residuals_json(const std::vector<StrengthResidual>& residuals) {
+  Json list = Json::array();
+  for (const StrengthResidual& r : residuals)
+    list.push_back({{"property", to_string(r.target.property)},
+                    {"theta [deg]", r.target.theta},
+                    {"confining [Pa]", r.target.confining},
+                    {"laboratory", r.target.mean},
+                    {"value", r.value},
+                    {"noise", r.noise},
+                    {"unknown", r.unknown},
+                    {"draws", r.of_draws}});
+  return list;
+}
+
 /// JSON has no NaN: it was written as null.
 double number_of(const Json& j) { return j.is_number() ? j.get<double>() : nan; }
 
@@ -191,6 +205,19 @@ std::vector<AngleFactor> factors_of(const Json& list) {
   return all;
 }
 
+std::vector<StrengthResidual> residuals_of(const Json& list) {
+  std::vector<StrengthResidual> all;
+  for (const Json& j : list) {
+    StrengthResidual r;
+    r.target.property = property_of(j.at("property")), r.target.theta = j.at("theta [deg]");
+    r.target.confining = j.at("confining [Pa]"), r.target.mean = j.at("laboratory");
+    r.value = j.at("value"), r.noise = j.at("noise"), r.unknown = j.at("unknown");
+    r.of_draws = j.at("draws").get<std::vector<double>>();
+    all.push_back(std::move(r));
+  }
+  return all;
+}
+
 /// Lines of comments in a recipe.
 std::string as_comments(const std::string& text) {
   const std::string broken = wrapped(text, 98, 4);
@@ -222,6 +249,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
     for (const Baseline& y : baselines())
       j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);
   if (!c.discrepancy.empty()) j["discrepancy"] = discrepancy_json(c.discrepancy);
+  if (!c.residuals.empty()) j["residuals"] = residuals_json(c.residuals);
   j["errors"] = errors_json(c);
   if (!c.left_out.empty()) j["yardsticks"] = yardsticks_json(c);
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
@@ -256,6 +284,7 @@ const std::vector<FileKey>& calibration_keys() {
       {"left_out", "cells predicted without themselves, and by each curve"},
       {"compared", "K_Ic on unseen packings, where nobody states the grain size"},
       {"discrepancy", "rock over model at every fifth degree: `factor`, `low`, `high`"},
+      {"residuals", "what it is learnt from, per strength: `value`, of the `draws`, `noise`, `unknown`"},
       {"errors", "root mean squares per property: fitted, unseen, left out, curves"},
       {"yardsticks",
        "per property left out: `cells`, `model`, `with_discrepancy`, `best`, `best_error`, `text`"},
@@ -282,6 +311,7 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
     c.fitted = rows_of(j.at("fitted")), c.verification = rows_of(j.at("verification"));
     c.left_out = rows_of(j.at("left_out"));
     if (j.contains("discrepancy")) c.discrepancy = factors_of(j.at("discrepancy"));
+    if (j.contains("residuals")) c.residuals = residuals_of(j.at("residuals"));
   } catch (const std::exception& e) {
     throw InputError(Problem{file, "", "", fmt::format("a calibration of format {}", calibration_format),
                              io::in_words(e)});

@@ -18,7 +18,8 @@ std::string calibration_json(const Calibration& calibration, const std::string& 
 const std::vector<FileKey>& calibration_keys();
 
 /// What pictures are drawn from, read back from that text: rock, method, `fitted`, `verification`,
-/// `left_out`. Throws InputError that names `file` where it is no calibration of this format.
+/// `left_out`, `discrepancy`, and `residuals`, for predictions. Throws InputError that names `file` where it
+/// is no calibration of this format.
 Calibration comparisons_of(const std::string& json, const std::string& file);
 
 /// Head of calibrated.toml, as comments: the verdict, and which parameters its data do not constrain.

@@ -55,6 +55,14 @@ TEST(CalibrationTables, TheModelAloneAndWithItsDiscrepancyStandApart) {
   const auto j = nlohmann::json::parse(calibration_json(c, "1"));
   EXPECT_NEAR(j["left_out"][1]["with_discrepancy"].get<double>(), 63e6, 1.0);
   EXPECT_FALSE(j["left_out"][0].contains("with_discrepancy"));
+  c.residuals = {{c.fitted[1].target, 0.1, 4e-4, 1e-4, {0.1, 0.2}}};
+  const Calibration read = comparisons_of(calibration_json(c, "1"), "calibration.json");
+  ASSERT_EQ(read.residuals.size(), 1U);
+  EXPECT_TRUE(same_cell(read.residuals[0].target, c.fitted[1].target));
+  EXPECT_EQ(read.residuals[0].target.mean, c.fitted[1].target.mean);
+  EXPECT_EQ(read.residuals[0].value, 0.1);
+  EXPECT_EQ(read.residuals[0].unknown, 1e-4);
+  EXPECT_EQ(read.residuals[0].of_draws, c.residuals[0].of_draws);
   EXPECT_NEAR(j["yardsticks"][0]["best_error"].get<double>(), 35.0 / 60.0, 1e-9);
 }
 

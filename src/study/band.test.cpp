@@ -68,11 +68,60 @@ TEST(Band, OfTwentyDrawsHoldsOneMoreInNineteenOfTwentyOne) {
   EXPECT_NEAR(held / static_cast<double>(n_bands), p, 3.0 * std::sqrt(p * (1.0 - p) / n_bands));
 }
 
+Prediction corrected(double value, double missed, double sd) {
+  Prediction p = ucs(value);
+  p.missed = missed, p.missed_sd = sd;
+  return p;
+}
+
+TEST(Band, OfARockIsThatOfTheDrawsTimesWhatTheyMiss) {
+  const std::vector<Band> certain =
+      bands_of({{corrected(40e6, 0.1, 0.0)}, {corrected(50e6, 0.1, 0.0)}, {corrected(70e6, 0.1, 0.0)}});
+  const Band& same = certain.front();
+  EXPECT_DOUBLE_EQ(same.median, 50e6) << "the model's own stays";
+  EXPECT_NEAR(same.factor, std::exp(0.1), 1e-12);
+  EXPECT_NEAR(same.rock, 50e6 * same.factor, 1.0);
+  EXPECT_NEAR(same.rock_low, 40e6 * same.factor, 1.0);
+  EXPECT_NEAR(same.rock_high, 70e6 * same.factor, 1.0);
+  // one draw: a normal distribution of which two thirds are wanted, 1/3 on either side of the middle at
+  // 0.4307 standard deviations
+  const Band wide = bands_of({{corrected(50e6, -0.1, 0.2)}, {corrected(50e6, -0.1, 0.2)}}).front();
+  EXPECT_NEAR(wide.rock, 50e6 * std::exp(-0.1), 1.0);
+  EXPECT_NEAR(std::log(wide.rock_high / wide.rock), 0.2 * 0.430727, 1e-6);
+  EXPECT_NEAR(std::log(wide.rock / wide.rock_low), 0.2 * 0.430727, 1e-6);
+}
+
+TEST(Band, OfARockIsNotKnownWhereADrawDoesNotKnowWhatItMisses) {
+  const Band band = bands_of({{corrected(40e6, 0.1, 0.1)}, {ucs(50e6)}}).front();
+  EXPECT_EQ(band.n, 2U);
+  EXPECT_FALSE(band.has_rock());
+  EXPECT_TRUE(std::isnan(band.factor));
+}
+
+// Of draws that scatter and a discrepancy that is not known either: both together are counted once.
+TEST(Band, OfARockHoldsIt) {
+  constexpr std::uint32_t n_bands = 2000;
+  int held = 0, held_by_model = 0;
+  for (std::uint32_t k = 0; k < n_bands; ++k) {
+    std::vector<Predictions> draws;
+    for (std::uint32_t i = 0; i < 20; ++i)
+      draws.push_back({corrected(std::exp(0.1 * normal(7, Stream::test, k, i)), 0.05, 0.1)});
+    const double rock =
+        std::exp(0.1 * normal(7, Stream::test, k, 20) + 0.05 + 0.1 * normal(7, Stream::test, k, 21));
+    const Band band = bands_of(draws).front();
+    held += band.rock_low <= rock && rock <= band.rock_high ? 1 : 0;
+    held_by_model += band.low <= rock && rock <= band.high ? 1 : 0;
+  }
+  EXPECT_NEAR(held / static_cast<double>(n_bands), 19.0 / 21.0, 0.02);
+  EXPECT_LT(held_by_model / static_cast<double>(n_bands), 0.85);
+}
+
 TEST(Band, TableHasEmptyCellsWhereThereIsNothing) {
   EXPECT_EQ(bands_csv(bands_of({{ucs(2e6)}, {ucs(4e6)}, {ucs(nan, 0.0, 5e6)}})),
-            "specimen,theta [deg],sigma_3 [Pa],number,unit,draws,without,median,low,high,width\n"
-            "theta = 45 deg,45,,ucs,Pa,2,1,3e+06,2e+06,4e+06,0.6666666666666666\n"
-            "theta = 0 deg,0,5e+06,ucs,Pa,0,3,,,,\n");
+            "specimen,theta [deg],sigma_3 [Pa],number,unit,draws,without,median,low,high,width,"
+            "factor,factor_sd,rock,rock_low,rock_high\n"
+            "theta = 45 deg,45,,ucs,Pa,2,1,3e+06,2e+06,4e+06,0.6666666666666666,,,,,\n"
+            "theta = 0 deg,0,5e+06,ucs,Pa,0,3,,,,,,,,,\n");
 }
 
 }  // namespace

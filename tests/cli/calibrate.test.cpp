@@ -132,6 +132,21 @@ TEST_F(CalibrateCli, EnsembleRunsTheTestOfTheRecipeOnEveryDrawAndTellsTheBand) {
   EXPECT_EQ(read(at("parts") + "/ensemble.csv"), tests);
   EXPECT_EQ(read(at("parts") + "/band.csv"), band);
 
+  // what the calibration misses of this test's strength: 0.1 in every draw
+  std::string draws = "0.1";
+  for (int k = 1; k < 20; ++k) draws += ", 0.1";
+  std::string found = read(at("rock") + "/calibration.json");
+  found.replace(
+      found.find("\"errors\":"), 0,
+      R"("residuals": [{"property": "DTS", "theta [deg]": 45.0, "confining [Pa]": 0.0, "laboratory": 5e6,
+                "value": 0.1, "noise": 1e-6, "unknown": 0.0, "draws": [)" +
+          draws + "]}], ");
+  write("rock/calibration.json", found);
+  ASSERT_EQ(run(tested + out()), 0) << output;
+  EXPECT_THAT(band, testing::ContainsRegex("sigma_t,Pa,6,0,[^\n]*,,,,,\n"));
+  EXPECT_THAT(read(out() + "/band.csv"),
+              testing::ContainsRegex("sigma_t,Pa,6,0,[^\n]*,1\\.10[45][0-9]*,0\\.00"));
+
   const std::string confined = "envelope " + recipe + " --ensemble --threads 2 --with-untrusted --out ";
   fs::remove(at("rock") + "/ensemble/03.toml");
   EXPECT_EQ(run(confined + at("envelope")), 2);

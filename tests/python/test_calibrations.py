@@ -83,6 +83,13 @@ class Calibrations(InFolder):
         self.assertEqual(resumed.to_dict(), whole.to_dict())
         self.assertEqual(len(whole.ensemble), 20)
         self.assertEqual({row.property for row in whole.table}, {"E", "nu", "UCS"})
+        missed, beyond = whole.missed("UCS", 40), whole.missed("sigma_1", 40, 20e6)
+        self.assertEqual(len(missed.of_draws), 20)
+        self.assertAlmostEqual(missed.factor, beyond.factor)
+        self.assertGreater(beyond.sd, missed.sd)
+        self.assertIsNone(whole.missed("BTS"))
+        with self.assertRaisesRegex(ValueError, "strength: no property"):
+            whole.missed("strength")
         self.assertIn(whole.verdict.status, str(whole).splitlines()[0] + whole.verdict.status)
 
     def test_every_option_of_the_program_is_an_argument(self):
