@@ -112,7 +112,7 @@ const std::vector<BaseTable>& base_tables() {
 std::vector<std::string> base_rocks() {
   std::vector<std::string> names;
   for (const std::string_view path : embedded_below(folder))
-    if (path.ends_with("/rock.toml"))
+    if (path.ends_with("/card.json"))  // a rock that was never run has none
       names.push_back(std::filesystem::path(path).parent_path().filename().string());
   return names;
 }

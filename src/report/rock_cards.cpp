@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text_table.hpp"
 #include "io/json.hpp"
@@ -79,13 +80,16 @@ std::string failure_text(const Json& card, int terminal_width) {
   std::vector<Json> rows;
   for (const Json& cell : card.value("cells", Json::array()))
     if (cell.contains("failure")) rows.push_back(cell);
-  if (rows.empty()) return "";
+  const auto nothing = [](const Json& cell) {  // without bedding and without a plane
+    return cell.at("failure").at("bedding_share").is_null() && cell.at("failure").at("planes") == 0;
+  };
+  if (std::ranges::all_of(rows, nothing)) return "";
   const auto number = [](const char* key, double unit) {
     return [key, unit](const Json& cell) {
       const Json& of = cell.at("failure");
       return !of.contains(key) || of.at(key).is_null()
                  ? std::string("-")
-                 : fmt::format("{:.0f}", of.at(key).get<double>() * unit);
+                 : fmt::format("{}", std::lround(of.at(key).get<double>() * unit));
     };
   };
   Column test = column_of("how the model fails", "", rows, cell_text);
@@ -105,9 +109,9 @@ std::string prediction_text(const Json& p) {
   const std::string what = p.at("text");
   if (!p.contains("rms")) return fmt::format("Predicted: {}: not run yet.\n", what);
   return fmt::format(
-      "Planned before it was run, {}: rms error {}, mean {:+.1f} %; {} of {} in the band. {}: {:.1f} "
-      "%.\n",
-      what, error_text("", p.at("rms").get<std::vector<double>>()),
+      "Planned before it was run{}, {}: rms error {}, mean {:+.1f} %; {} of {} in the band. "
+      "Yardstick: {}, {:.1f} %.\n",
+      p.value("blind", false) ? ", blind" : "", what, error_text("", p.at("rms").get<std::vector<double>>()),
       100.0 * median(p.at("mean").get<std::vector<double>>()), p.at("inside").get<int>(),
       p.at("of").get<int>(), p.at("yardstick").get<std::string>(),
       100.0 * p.at("yardstick_rms").get<double>());

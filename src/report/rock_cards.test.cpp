@@ -27,6 +27,8 @@ constexpr const char* finished = R"({
     {"property": "E", "theta [deg]": 0},
     {"property": "UCS", "theta [deg]": 0, "confining [Pa]": 0,
      "failure": {"bedding_share": 0.012, "angle [deg]": null, "planes": 0, "tests": 15}},
+    {"property": "BTS", "theta [deg]": 90,
+     "failure": {"bedding_share": 1, "angle [deg]": -0.4, "planes": 15, "tests": 15}},
     {"property": "sigma_1", "theta [deg]": 60, "confining [Pa]": 6e6,
      "failure": {"bedding_share": 0.82, "angle [deg]": 59.6, "planes": 14, "tests": 15}}],
   "predictions": [
@@ -61,6 +63,7 @@ TEST(RockCards, ACardHasTheModesOfFailure) {
   const std::string card = rock_card(finished, 80);
   EXPECT_THAT(card, ContainsRegex("UCS 0 +1 +- +0 of 15"));
   EXPECT_THAT(card, ContainsRegex("sigma_1 at 6 MPa, 60 +82 +60 +14 of 15"));
+  EXPECT_THAT(card, ContainsRegex("BTS 90 +100 +0 +15 of 15"));
   EXPECT_THAT(card, Not(HasSubstr("E 0")));
 }
 
