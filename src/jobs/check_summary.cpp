@@ -123,6 +123,7 @@ std::vector<Finding> summary_of(const RockCheck& check, int threads) {
   if (check.neighbour) lines.push_back(*check.neighbour);
   if (!check.parameters.empty()) lines.push_back(open_parameters(check.parameters));
   lines.push_back(check.forecast.empty() ? Finding{Kind::forecast_none} : check.forecast.front());
+  if (const Finding* left_out = first_of(check.forecast, Kind::forecast_unmapped)) lines.push_back(*left_out);
   add_course(check, threads, lines);
   return lines;
 }
@@ -137,7 +138,7 @@ std::string rock_check(const Rock& read, const std::string& path, int width, int
   items(rock.notes, "");  // how the files were understood
   items(report::sentences(summary_of(found, threads)), "");
   if (!all) return text;
-  text += "\n" + report::target_table(found.evidence.targets, width) + "\n";
+  text += "\n" + report::target_table(found.evidence.targets, rock.bedded, width) + "\n";
   if (found.doubts.size() > most_doubts)
     items(report::sentences({found.doubts.begin() + most_doubts, found.doubts.end()}), "- ");
   items(report::sentences(found.statements), "- ");
@@ -145,8 +146,11 @@ std::string rock_check(const Rock& read, const std::string& path, int width, int
   items(found.models, "- ");
   items(report::sentences(found.limits), "- ");
   items(found.in_maps, "- ");
-  if (found.forecast.size() > 1)
-    items(report::sentences({found.forecast.begin() + 1, found.forecast.end()}), "- ");
+  std::vector<Finding> grounds = found.forecast;  // beside what the summary says of it
+  std::erase_if(grounds, [&](const Finding& f) {
+    return f.kind == found.forecast.front().kind || f.kind == Kind::forecast_unmapped;
+  });
+  items(report::sentences(grounds), "- ");
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lab/semi_circular_bend/semi_circular_bend.hpp"
+#include "records/quality.hpp"
 
 namespace phy::survey {
 
@@ -13,6 +14,25 @@ double radius_of(Recipe model, const Target& toughness) {
 }
 
 double grains_in(double radius, double grain_size) { return std::floor(radius / grain_size + 1e-9); }
+
+std::vector<Finding> few_grains_between(const Evidence& evidence) {
+  const Recipe& model = evidence.rock.model;
+  const auto limit = std::ranges::find(quality_limits(), std::string_view("grains_per_spacing"),
+                                       [](const QualityLimit& q) { return std::string_view(q.number); });
+  double spacing = HUGE_VAL;  // the narrowest planes decide
+  for (const BeddingRecipe& set : model.bedding)
+    if (set.has_planes()) spacing = std::min(spacing, set.spacing);
+  const double grains = spacing / grain_size(model);
+  if (grains >= limit->warning) return {};
+  return {{FindingKind::few_grains_between,
+           {},
+           {{"grains", grains},
+            {"fewest", limit->warning},
+            {"spacing", spacing},
+            {"wanted", spacing / limit->warning}},
+           {},
+           Advice::smaller_grains}};
+}
 
 std::vector<Finding> coarse_half_discs(const Evidence& evidence) {
   std::vector<Finding> found;
