@@ -9,6 +9,7 @@
 #include "calibrate/posterior_ensemble.hpp"
 #include "survey/elastic_limits.hpp"
 #include "survey/identifiability.hpp"
+#include "verdict/cells.hpp"
 #include "verdict/judge.hpp"
 
 namespace phy::calibrate {

@@ -214,7 +214,8 @@ class Trial {
       c.notes.insert(c.notes.end(), results_.begin(), results_.end());
       c.notes.push_back({FindingKind::model_kept, {}, {}, {found.by->name()}});
     }
-    for (Finding& f : maps::reach_of(found.by->evidence, options_.effort.name == quick_effort.name)) c.reach.push_back(std::move(f));
+    for (Finding& f : maps::reach_of(found.by->evidence, options_.effort.name == quick_effort.name))
+      c.reach.push_back(std::move(f));
     if (c.verdict.status != VerdictStatus::out_of_reach || !method_of(c.method).compares_models) return;
     if (const auto nearest = maps::against_maps(found.by->evidence, recipes, c.verification))
       c.verdict.findings.insert(c.verdict.findings.begin(), *nearest);

@@ -37,13 +37,14 @@ double rms_of_E(const ElasticFit& fit) {
 }  // namespace
 
 std::optional<Finding> grains_for_nu(const Evidence& table, const ElasticFit& fit,
-                                     const std::vector<Cell>& missed,
-                                     const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+                                     const std::vector<Cell>& missed, const std::vector<std::int64_t>& seeds,
+                                     Simulator& simulator) {
   Rock rock = table.rock;
   rock.model = finer(rock.model);
   const double n = study::expected_grains(rock.model);
   if (missed.empty() || n > most_grains || !rock.model.packing.file.empty()) return {};
-  const ElasticFit anew = fit_elastic(Evidence(rock, table.targets), seeds, {}, simulator, [](const Finding&) {});
+  const ElasticFit anew =
+      fit_elastic(Evidence(rock, table.targets), seeds, {}, simulator, [](const Finding&) {});
   const double miss = largest_of(anew, missed);
   if (miss > verdict::tolerance(Property::nu) ||
       rms_of_E(anew) > std::max(rms_of_E(fit), verdict::tolerance(Property::E)))

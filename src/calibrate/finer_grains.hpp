@@ -12,7 +12,7 @@ namespace phy::calibrate {
 /// all of them within the tolerance, and E as nearly as `fit` has it. `table`: at small strain, as `fit` took
 /// it. Nothing otherwise, nor for specimens that would have more than 10,000 grains or lie in a file.
 std::optional<Finding> grains_for_nu(const Evidence& table, const ElasticFit& fit,
-                                     const std::vector<Cell>& missed,
-                                     const std::vector<std::int64_t>& seeds, Simulator& simulator);
+                                     const std::vector<Cell>& missed, const std::vector<std::int64_t>& seeds,
+                                     Simulator& simulator);
 
 }  // namespace phy::calibrate

@@ -270,8 +270,7 @@ std::optional<Forecast> forecast_one(const Evidence& evidence, int fold) {
   const Recipe& recipe = evidence.rock.model;
   f.n_grains = study::expected_grains(recipe), f.nu_of_nearest_body = nu_missed_by_bodies(evidence);
   for (const Target& t : evidence.targets)
-    if (t.property == Property::brazilian)
-      f.grains_across = grains_across_disc(recipe, t);
+    if (t.property == Property::brazilian) f.grains_across = grains_across_disc(recipe, t);
   const std::vector<double> at = problem.places_at(x);
   for (const Answer& a : problem.answers) {
     Comparison c;

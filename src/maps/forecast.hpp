@@ -46,9 +46,8 @@ struct Forecast {
   double error_of(const Target& target) const;
   /// What a calibration is expected to miss on unseen packings. Low: what the quadratics miss of the table,
   /// but no less than what packings of this size differ by, nor, of nu, than the nearest layered body. High:
-  /// with what the quadratics themselves miss of single specimens, what a quick search misses more than a usual
-  /// one, and of discs what coarse grains add.
-  /// Nothing without a row of it.
+  /// with what the quadratics themselves miss of single specimens, what a quick search misses more than a
+  /// usual one, and of discs what coarse grains add. Nothing without a row of it.
   std::optional<ErrorRange> expected_error(Property property) const;
 };
 

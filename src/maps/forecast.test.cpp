@@ -165,7 +165,8 @@ TEST(Forecast, AQuickSearchIsExpectedToMissMore) {
 }
 
 TEST(Forecast, ItsRecordOnMeasuredRocksIsCountedFromATable) {
-  const Finding f = record_on_rocks("# by hand\nrock,low,high,reached\na,0.1,0.2,0.15\na,0.1,0.2,0.3\nb,0.1,0.2,0.1\n");
+  const Finding f =
+      record_on_rocks("# by hand\nrock,low,high,reached\na,0.1,0.2,0.15\na,0.1,0.2,0.3\nb,0.1,0.2,0.1\n");
   EXPECT_EQ(f.number("inside"), 2.0);
   EXPECT_EQ(f.number("of"), 3.0);
   EXPECT_GE(record_on_rocks(embedded("data/rocks/forecasts.csv")).number("of"), 10.0);
@@ -187,7 +188,7 @@ TEST(Reach, HasTheForecastAndWhatItExpectsOfEveryValueThatWasMapped) {
 TEST(Reach, UcsOverTensionIsThatOfTheRocksOwnGrains) {
   Rock rock = rock_of(usual(), 7);
   rock.layers = LayerModel::planes;
-  const auto high = [&] { 
+  const auto high = [&] {
     const std::vector<Finding> reach = reach_of(Evidence(rock), false);
     return first_of(reach, FindingKind::map_ratio)->number("high");
   };

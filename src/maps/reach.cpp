@@ -28,11 +28,10 @@ std::vector<Finding> reach_of(const Evidence& evidence, bool quick) {
   forecast->quick = quick;
   std::vector<Finding> reach = {findings_of(*forecast).front()};
   for (const Comparison& row : forecast->rows)
-    reach.push_back({FindingKind::map_expected,
-                     {cell_of(row.target)},
-                     {{"model", row.mean},
-                      {"laboratory", row.target.mean},
-                      {"error", forecast->error_of(row.target)}}});
+    reach.push_back(
+        {FindingKind::map_expected,
+         {cell_of(row.target)},
+         {{"model", row.mean}, {"laboratory", row.target.mean}, {"error", forecast->error_of(row.target)}}});
   std::vector<const MappedModel*> all;
   for (const MappedModel& m : mapped_models())
     if (m.layered() == evidence.rock.bedded) all.push_back(&m);

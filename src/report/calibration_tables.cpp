@@ -48,7 +48,8 @@ std::vector<std::string> cells_of(const Comparison& row) {
 /// Has the model layers? The angles of a rock without any are one, which says nothing.
 bool is_bedded(const Calibration& c) {
   return layered(c.recipe.matrix, c.recipe.bedding) ||
-         std::any_of(c.fitted.begin(), c.fitted.end(), [](const Comparison& r) { return r.target.theta != 0.0; });
+         std::any_of(c.fitted.begin(), c.fitted.end(),
+                     [](const Comparison& r) { return r.target.theta != 0.0; });
 }
 
 /// Of the table as it was read: an inclination and a stress on the sides; discs of another size have a line
@@ -277,9 +278,8 @@ std::string failure_table(const Calibration& c, int terminal_width) {
   });
   if (rows.empty()) return "";
   using R = const Comparison&;
-  Column test = column_of("how specimens fail", "", rows, [&](R r) {
-    return is_bedded(c) ? cell_name(r.target) : test_name(r.target);
-  });
+  Column test = column_of("how specimens fail", "", rows,
+                          [&](R r) { return is_bedded(c) ? cell_name(r.target) : test_name(r.target); });
   test.left = true;
   const Columns columns = {
       column_of("cracks along bedding", "%", rows,

@@ -82,7 +82,8 @@ TEST(TargetTable, RockWithoutBeddingHasNoAngle) {
   EXPECT_THAT(target_table(targets, false, 0), Not(HasSubstr("theta")));
   Calibration c;
   c.fitted = {ucs(0, 80e6, 1.0)};
-  for (const std::string& table : {macro_table(c, 0), angle_table(c, 0)}) EXPECT_THAT(table, Not(HasSubstr("theta")));
+  for (const std::string& table : {macro_table(c, 0), angle_table(c, 0)})
+    EXPECT_THAT(table, Not(HasSubstr("theta")));
 }
 
 TEST(CalibrationTables, NeighboursAreOfTheSameTest) {

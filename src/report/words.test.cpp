@@ -72,19 +72,21 @@ TEST(Words, CausesOfTheMisfit) {
   EXPECT_EQ(
       sentence({Kind::weakest_angle_no_plane, {{Property::ucs, 30.0}, {Property::ucs, 60.0}}}),
       "The rock is weakest at 30 degrees, the model at 60 degrees. No single weak plane is weakest there.");
-  EXPECT_EQ(sentence({Kind::tension_ratio,
-                      {{Property::brazilian, 0.0}},
-                      {{"laboratory", 25.0}, {"low", 3.52}, {"high", 23.1}, {"ucs", -0.03}, {"tension", 0.12}}}),
-            "UCS/BTS at 0 degrees is 25.0 in the table; mapped specimens of this model have 3.5 to 23.1. The "
-            "model's UCS is off by -3 %, its BTS by +12 %.");
+  EXPECT_EQ(
+      sentence({Kind::tension_ratio,
+                {{Property::brazilian, 0.0}},
+                {{"laboratory", 25.0}, {"low", 3.52}, {"high", 23.1}, {"ucs", -0.03}, {"tension", 0.12}}}),
+      "UCS/BTS at 0 degrees is 25.0 in the table; mapped specimens of this model have 3.5 to 23.1. The "
+      "model's UCS is off by -3 %, its BTS by +12 %.");
   Finding far{Kind::farthest_value, {ucs_60}, {{"model", 66e6}, {"laboratory", 53.5e6}}};
   EXPECT_EQ(sentence(far),
             "Farthest off is UCS at 60 degrees, 66.0 MPa in the model and 53.5 MPa in the table.");
   far.numbers.insert(far.numbers.end(), {{"packings", 3.3e6}, {"expected", 55.0e6}, {"error", 0.15}});
-  EXPECT_EQ(sentence(far),
-            "Farthest off is UCS at 60 degrees, 66.0 MPa in the model and 53.5 MPa in the table. No cause was "
-            "found: the maps expect this model 2.8 % too high, give or take 15 %, and packings differ by 5.0 "
-            "%.");
+  EXPECT_EQ(
+      sentence(far),
+      "Farthest off is UCS at 60 degrees, 66.0 MPa in the model and 53.5 MPa in the table. No cause was "
+      "found: the maps expect this model 2.8 % too high, give or take 15 %, and packings differ by 5.0 "
+      "%.");
   far.kind = Kind::expected_in_maps;
   EXPECT_EQ(sentence(far),
             "UCS at 60 degrees is 66.0 MPa in the model and 53.5 MPa in the table, 23 % too high. The maps "

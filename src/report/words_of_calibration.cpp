@@ -34,19 +34,19 @@ std::string ranges(F f, const std::string& ratio, const char* format) {
 }
 std::string tension_ratio(F f) {
   const Cell& c = f.cells.front();
-  return fmt::format("UCS/{0}{1} is {2:.1f} in the table; mapped specimens of this model have {3}. "
-                     "The model's UCS is off by {4:+.0f} %, its {0} by {5:+.0f} %.",
-                     to_string(c.property), at_text({c.theta}), f.number("laboratory"),
-                     range_text(f.number("low"), f.number("high"), "{:.1f}"), 100.0 * f.number("ucs"),
-                     100.0 * f.number("tension"));
+  return fmt::format(
+      "UCS/{0}{1} is {2:.1f} in the table; mapped specimens of this model have {3}. "
+      "The model's UCS is off by {4:+.0f} %, its {0} by {5:+.0f} %.",
+      to_string(c.property), at_text({c.theta}), f.number("laboratory"),
+      range_text(f.number("low"), f.number("high"), "{:.1f}"), 100.0 * f.number("ucs"),
+      100.0 * f.number("tension"));
 }
 
 /// "12 % too high, give or take 15 %": what the maps expect of a value.
 std::string expected_text(F f) {
   const double off = miss(property_of(f), f.number("expected"), f.number("laboratory"));
   return fmt::format("{} too {}, give or take {}", miss_text(property_of(f), std::fabs(off)),
-                     off < 0.0 ? "low" : "high",
-                     percent_text(f.number("error")));
+                     off < 0.0 ? "low" : "high", percent_text(f.number("error")));
 }
 std::string expected_in_maps(F f) {
   return fmt::format("{} is {}, {}. The maps expect it of this model: {}.", cells_text(f.cells), both(f),
@@ -60,8 +60,9 @@ std::string farthest_value(F f) {
   if (f.has("expected")) ruled_out.push_back("the maps expect this model " + expected_text(f));
   if (f.has("packings"))
     ruled_out.push_back("packings differ by " +
-                        (measured(property_of(f)).absolute ? fmt::format("{:.3f}", f.number("packings"))
-                                                           : percent_text(f.number("packings") / f.number("model"))));
+                        (measured(property_of(f)).absolute
+                             ? fmt::format("{:.3f}", f.number("packings"))
+                             : percent_text(f.number("packings") / f.number("model"))));
   return ruled_out.empty() ? text : text + fmt::format(" No cause was found: {}.", list_text(ruled_out));
 }
 std::string ends_ratio(F f, const char* ratio) {
@@ -279,9 +280,11 @@ const std::vector<Wording> cause_words = {
     {Kind::grains_for_nu,
      [](F f) {
        return fmt::format(
-           "{} is off by up to {:.3f} on {:.0f} grains. With moduli fitted anew on {:.0f} smaller ones it is off by "
+           "{} is off by up to {:.3f} on {:.0f} grains. With moduli fitted anew on {:.0f} smaller ones it is "
+           "off by "
            "{:.3f}.",
-           cells_text(f.cells), f.number("miss"), f.number("grains"), f.number("finer"), f.number("miss_finer"));
+           cells_text(f.cells), f.number("miss"), f.number("grains"), f.number("finer"),
+           f.number("miss_finer"));
      }},
     {Kind::stiffening,
      [](F f) {
@@ -479,10 +482,9 @@ const std::vector<Wording> search_words = {
            "The search was short ({} in compression{}){}", counted_text(f.number("tests"), "test"),
            f.number("models") > 1.0 ? " by " + counted_text(f.number("models"), "model") : std::string(),
            f.number("foreseen") > 0.0 ? ": the forecast saw the table out of reach" : "");
-       const std::string more =
-           f.number("more") > 0.0 ? fmt::format(" With {} it takes about {:.0f} more.", options_of_search(f),
-                                                f.number("more"))
-                                  : std::string();
+       const std::string more = f.number("more") > 0.0 ? fmt::format(" With {} it takes about {:.0f} more.",
+                                                                     options_of_search(f), f.number("more"))
+                                                       : std::string();
        return text + (f.advice == Advice::none ? "." : ", and its estimate had not settled.") + more;
      }},
     {Kind::search_cut,

@@ -56,8 +56,8 @@ const std::vector<Wording> forecasts = {
      [](F) -> std::string {
        return "E lies where nothing was mapped, though planes in an isotropic rock have such E.";
      }},
-    {Kind::forecast_unmapped, [](F) -> std::string { return "not in the forecast, because the maps lack this test."; },
-     true},
+    {Kind::forecast_unmapped,
+     [](F) -> std::string { return "not in the forecast, because the maps lack this test."; }, true},
     {Kind::forecast_record,
      [](F f) {
        return fmt::format("No test has run. Of {:.0f} forecasts of synthetic rock {:.0f} {} wrong.",

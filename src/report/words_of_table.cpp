@@ -85,8 +85,9 @@ std::string unusual_point_load(F f) {
 /// A plane carries what it carried in a test of UCS, and no more than the rock itself.
 std::string unusual_shear(F f) {
   const bool low = f.has("least");
-  return say(f, "{} is {}; by {} the bedding carries {} {} there.", name_of(f.cells[0]), stress(f, "laboratory"),
-             name_of(f.cells[1]), low ? "at least" : "at most", stress(f, low ? "least" : "most"));
+  return say(f, "{} is {}; by {} the bedding carries {} {} there.", name_of(f.cells[0]),
+             stress(f, "laboratory"), name_of(f.cells[1]), low ? "at least" : "at most",
+             stress(f, low ? "least" : "most"));
 }
 
 std::string strength_falls(F f) {
@@ -312,14 +313,16 @@ std::string stiffer(F f) {
       f,
       "E{} changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains that do not crack "
       "before E is read hardly change: 2 % up to 20 MPa. The model may lie between.",
-      angle_of(f.cells[0]), 100.0 * f.number("change"), in_MPa(f.cells[0].confining), in_MPa(f.cells[1].confining));
+      angle_of(f.cells[0]), 100.0 * f.number("change"), in_MPa(f.cells[0].confining),
+      in_MPa(f.cells[1].confining));
 }
 
 std::string few_grains_between(F f) {
-  return say(f,
-             "{:.1f} grains lie between two planes ({:.3g} mm apart): fewer than {:g} blur the layers. It takes "
-             "grains of {:.2g} mm.",
-             f.number("grains"), f.number("spacing") * 1e3, f.number("fewest"), f.number("wanted") * 1e3);
+  return say(
+      f,
+      "{:.1f} grains lie between two planes ({:.3g} mm apart): fewer than {:g} blur the layers. It takes "
+      "grains of {:.2g} mm.",
+      f.number("grains"), f.number("spacing") * 1e3, f.number("fewest"), f.number("wanted") * 1e3);
 }
 
 std::string coarse_half_disc(F f) {

@@ -1,5 +1,5 @@
-// Is the model fine enough for its planes and for the half discs of a table? Few grains between planes blur the
-// layers; a notch in few grains is blunt, and K_Ic of it too low.
+// Is the model fine enough for its planes and for the half discs of a table? Few grains between planes blur
+// the layers; a notch in few grains is blunt, and K_Ic of it too low.
 #pragma once
 #include <vector>
 

@@ -99,7 +99,8 @@ void doubt_shear(const Rock& rock, const std::vector<Target>& targets, Findings&
   if (all_ucs.empty()) return;
   const Target& strongest = *std::ranges::max_element(all_ucs, {}, &Target::mean);
   for (const Target& t : of_property(targets, Property::shear_peak)) {
-    Finding f{FindingKind::unusual_shear, {cell_in(rock, t), cell_in(rock, strongest)}, {{"laboratory", t.mean}}};
+    Finding f{
+        FindingKind::unusual_shear, {cell_in(rock, t), cell_in(rock, strongest)}, {{"laboratory", t.mean}}};
     f.advice = Advice::check_unit_and_column;
     if (const double most = most_cohesion * strongest.mean + most_friction * t.confining; t.mean > most) {
       f.numbers.push_back({"most", most});
@@ -108,7 +109,8 @@ void doubt_shear(const Rock& rock, const std::vector<Target>& targets, Findings&
     }
     double least = 0.0;
     for (const Target& u : all_ucs) {
-      const double angle = u.theta * std::acos(-1.0) / 180.0, carried = u.mean * std::sin(angle) * std::cos(angle);
+      const double angle = u.theta * std::acos(-1.0) / 180.0,
+                   carried = u.mean * std::sin(angle) * std::cos(angle);
       if (u.mean * std::pow(std::cos(angle), 2.0) <= t.confining && carried > least)
         least = carried, f.cells[1] = cell_in(rock, u);
     }

@@ -62,7 +62,8 @@ TEST(UnusualValues, APointLoadFarFromUcsIsDoubted) {
   EXPECT_THAT(kinds(of(0.5e6)), ElementsAre(Kind::unusual_point_load));
 }
 
-// At 60 degrees UCS of 40 MPa bears 17.3 MPa in shear under 10 MPa; 110 MPa of rock at most 55 MPa + 1.5 sigma_n.
+// At 60 degrees UCS of 40 MPa bears 17.3 MPa in shear under 10 MPa; 110 MPa of rock at most 55 MPa + 1.5
+// sigma_n.
 TEST(UnusualValues, ShearOfBeddingIsComparedWithUcs) {
   const auto of = [](double tau, double sigma_n) {
     RockReading shear = cell(Property::shear_peak, 0, tau);

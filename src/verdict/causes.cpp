@@ -215,7 +215,8 @@ void explain_missed(const View& v, Verdict& verdict) {
     verdict.next = step(*v.of.rival);
   if (!search_can_help(v)) return;
   causes.push_back(*search_short(v));
-  if (parts.empty() || parts.front() != Part::moduli) verdict.next = step(causes.back());  // no search of these
+  if (parts.empty() || parts.front() != Part::moduli)
+    verdict.next = step(causes.back());  // no search of these
 }
 
 }  // namespace

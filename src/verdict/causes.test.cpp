@@ -375,7 +375,8 @@ TEST(Cause, ALongerSearchIsAdvisedOnlyWhereItCanComeNearer) {
 }
 
 TEST(Cause, WhatALongerSearchWouldTakeIsANoteWhereItIsNoCause) {
-  Calibration c = ended({cells(Property::ucs, {60, 50, 40, 62}, {61, 50, 40, 62})}, VerdictStatus::calibrated);
+  Calibration c =
+      ended({cells(Property::ucs, {60, 50, 40, 62}, {61, 50, 40, 62})}, VerdictStatus::calibrated);
   c.shortage.of_effort = c.shortage.foreseen = true, c.shortage.tests = 90;
   explain(c);
   EXPECT_TRUE(c.verdict.causes.empty());

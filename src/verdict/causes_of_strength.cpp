@@ -68,8 +68,8 @@ struct Ratios {
   }
 };
 
-/// UCS over a tension where no specimen of the model has that of the table, beyond its error: it says what the
-/// model cannot have at once, not which of both is off.
+/// UCS over a tension where no specimen of the model has that of the table, beyond its error: it says what
+/// the model cannot have at once, not which of both is off.
 struct RatioBeyond {
   const Comparison *tension, *ucs;
   const Finding* in_maps;
@@ -86,8 +86,7 @@ std::optional<RatioBeyond> farthest_beyond(Property p, const View& v) {
     const double ratio = in_maps->number("laboratory"),
                  off = std::log(std::max(ratio / in_maps->number("high"), in_maps->number("low") / ratio)),
                  error = std::hypot(error_of_laboratory(c.row), error_of_laboratory(*u));
-    if (off > z_one_sided_95 * error && (!worst || off > worst->beyond))
-      worst = {&c.row, u, in_maps, off};
+    if (off > z_one_sided_95 * error && (!worst || off > worst->beyond)) worst = {&c.row, u, in_maps, off};
   }
   return worst;
 }
