@@ -1,5 +1,6 @@
 // What a calibration finds, in words.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,8 @@ std::string farthest_value(F f) {
                         (measured(property_of(f)).absolute
                              ? fmt::format("{:.3f}", f.number("packings"))
                              : percent_text(f.number("packings") / f.number("model"))));
-  return ruled_out.empty() ? text : text + fmt::format(" No cause was found: {}.", list_text(ruled_out));
+  return ruled_out.empty() ? text
+                           : text + fmt::format(" No cause was found: {}.", fmt::join(ruled_out, "; "));
 }
 std::string ends_ratio(F f, const char* ratio) {
   return fmt::format("{} is {:.2f} in the table and {:.2f} in the model.", ratio, f.number("laboratory"),

@@ -367,6 +367,8 @@ TEST(Cause, ALongerSearchIsAdvisedOnlyWhereItCanComeNearer) {
   EXPECT_TRUE(advised(c)) << "the maps expect less of a miss";
   c.reach = {expected(45.0, 40e6, 46e6)};
   EXPECT_FALSE(advised(c)) << "they expect the same";
+  c.reach = {{Kind::forecast_out_of_reach}, expected(45.0, 40e6, 41e6)};
+  EXPECT_FALSE(advised(c)) << "the table is none of this model's";
   c.reach.clear(), c.shortage.settled = true;
   EXPECT_FALSE(advised(c)) << "more tests would not move the estimate";
   c.shortage.settled = false;

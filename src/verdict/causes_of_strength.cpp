@@ -166,7 +166,9 @@ std::optional<Finding> expected_in_maps(const View& v, Part part) {
 
 bool search_can_help(const View& v) {
   constexpr double times_nearer = 1.1;  // as other models are compared (maps/placing.hpp)
-  if (!v.of.shortage.any() || v.of.shortage.settled) return false;
+  if (!v.of.shortage.any() || v.of.shortage.settled ||
+      first_of(v.of.reach, FindingKind::forecast_out_of_reach) != nullptr)
+    return false;
   double missed = 0.0, expected = 0.0;
   bool beyond = false, mapped = false;
   for (const JudgedCell& c : v.cells) {
