@@ -165,10 +165,11 @@ TEST(Forecast, AQuickSearchIsExpectedToMissMore) {
 }
 
 TEST(Forecast, ItsRecordOnMeasuredRocksIsCountedFromATable) {
-  const Finding f =
-      record_on_rocks("# by hand\nrock,low,high,reached\na,0.1,0.2,0.15\na,0.1,0.2,0.3\nb,0.1,0.2,0.1\n");
+  const Finding f = record_on_rocks(
+      "# by hand\nrock,low,high,reached\na,0.1,0.2,0.15\na,0.1,0.2,0.3\nb,0.1,0.2,0.1\nb,0.1,0.2,0.01\n");
   EXPECT_EQ(f.number("inside"), 2.0);
-  EXPECT_EQ(f.number("of"), 3.0);
+  EXPECT_EQ(f.number("below"), 1.0);
+  EXPECT_EQ(f.number("of"), 4.0);
   EXPECT_GE(record_on_rocks(embedded("data/rocks/forecasts.csv")).number("of"), 10.0);
 }
 

@@ -25,14 +25,17 @@ Finding record_on_rocks(std::string_view csv) {
     return static_cast<std::size_t>(std::ranges::find(table.header, name) - table.header.begin());
   };
   const std::size_t low = column("low"), high = column("high"), reached = column("reached");
-  double inside = 0.0;
+  double inside = 0.0, below = 0.0;
   for (const io::TableRow& row : table.rows) {
     const double error = std::stod(row.cells.at(reached));
-    inside += error >= std::stod(row.cells.at(low)) && error <= std::stod(row.cells.at(high)) ? 1.0 : 0.0;
+    if (error < std::stod(row.cells.at(low)))
+      below += 1.0;
+    else if (error <= std::stod(row.cells.at(high)))
+      inside += 1.0;
   }
   return {FindingKind::forecast_on_rocks,
           {},
-          {{"inside", inside}, {"of", static_cast<double>(table.rows.size())}}};
+          {{"inside", inside}, {"below", below}, {"of", static_cast<double>(table.rows.size())}}};
 }
 
 }  // namespace phy::maps

@@ -580,8 +580,7 @@ const std::vector<AdviceWording> advice_words = {
            list_text(columns));
      }},
     {Advice::more_specimens, nullptr, [](F of) { return "test more specimens of " + cells_text(of.cells); }},
-    {Advice::smaller_grains,
-     "take smaller grains in the rock's recipe (packing.radius_min, packing.radius_max)"},
+    {Advice::smaller_grains, "take smaller grains (grain_size in the rock file, or the radii of its recipe)"},
     {Advice::check_value, nullptr,
      [](F of) { return "check " + cells_text(of.cells) + " in the table, or test more specimens there"; }},
     {Advice::check_nu, "check how nu was measured (it counts in the plane of load and dip), or leave it out"},

@@ -65,8 +65,9 @@ const std::vector<Wording> forecasts = {
      }},
     {Kind::forecast_on_rocks,
      [](F f) {
-       return fmt::format("Of {:.0f} errors of measured rocks {:.0f} came out in the expected range.",
-                          f.number("of"), f.number("inside"));
+       return fmt::format(
+           "Of {:.0f} errors of measured rocks {:.0f} came out in the expected range, {:.0f} below it.",
+           f.number("of"), f.number("inside"), f.number("below"));
      }},
     {Kind::forecast_untried,
      [](F f) {

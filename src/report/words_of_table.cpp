@@ -77,9 +77,9 @@ std::string unusual_tension(F f) {
 }
 
 std::string unusual_point_load(F f) {
-  const auto ratio = [](const Cell& c, double v) { return fmt::format("{} {:.2g}", test_text(c), v); };
+  const auto ratio = [](const Cell&, double v) { return number_text(v); };
   return say(f, "{}; hardly any rock has less than 8 or more than 50, many about 24 (Broch & Franklin 1972).",
-             values_of(f, "ratio", "UCS over point load", ratio));
+             values_of(f, "ratio", "UCS over I_s50", ratio));
 }
 
 /// A plane carries what it carried in a test of UCS, and no more than the rock itself.
@@ -318,11 +318,10 @@ std::string stiffer(F f) {
 }
 
 std::string few_grains_between(F f) {
-  return say(
-      f,
-      "{:.1f} grains lie between two planes ({:.3g} mm apart): fewer than {:g} blur the layers. It takes "
-      "grains of {:.2g} mm.",
-      f.number("grains"), f.number("spacing") * 1e3, f.number("fewest"), f.number("wanted") * 1e3);
+  return say(f,
+             "{:.1f} grains lie between two planes ({:.3g} mm apart): fewer than {:g} blur the layers. With "
+             "grain_size = \"{:.3g} mm\" there are enough.",
+             f.number("grains"), f.number("spacing") * 1e3, f.number("fewest"), f.number("wanted") * 1e3);
 }
 
 std::string coarse_half_disc(F f) {

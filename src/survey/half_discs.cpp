@@ -7,6 +7,12 @@
 #include "records/quality.hpp"
 
 namespace phy::survey {
+namespace {
+
+/// To hundredths of a mm: the advice has to be enough.
+double rounded_down(double size) { return std::floor(size * 1e5 + 1e-9) * 1e-5; }
+
+}  // namespace
 
 double radius_of(Recipe model, const Target& toughness) {
   if (toughness.diameter > 0.0) model.test.disc_diameter = toughness.diameter;
@@ -29,9 +35,7 @@ std::vector<Finding> few_grains_between(const Evidence& evidence) {
            {{"grains", grains},
             {"fewest", limit->warning},
             {"spacing", spacing},
-            {"wanted", spacing / limit->warning}},
-           {},
-           Advice::smaller_grains}};
+            {"wanted", rounded_down(spacing / limit->warning)}}}};
 }
 
 std::vector<Finding> coarse_half_discs(const Evidence& evidence) {
@@ -42,7 +46,7 @@ std::vector<Finding> coarse_half_discs(const Evidence& evidence) {
     if (grains >= fewest_in_radius ||
         std::any_of(found.begin(), found.end(), [&](const Finding& f) { return f.number("radius") == R; }))
       continue;
-    const double fine = std::floor(R / fewest_in_radius * 1e5) * 1e-5;  // rounded down to hundredths of a mm
+    const double fine = rounded_down(R / fewest_in_radius);
     found.push_back({FindingKind::coarse_half_disc,
                      {},
                      {{"grains", grains}, {"radius", R}, {"fewest", fewest_in_radius}, {"wanted", fine}},
