@@ -270,7 +270,7 @@ TEST_F(CalibrateCli, EffortIsRememberedAndNamesTheNextOne) {
   ASSERT_THAT(run(quick + " --resume"), testing::AnyOf(0, 1)) << output;
   EXPECT_THAT(output, HasSubstr("Fitting the moduli (stage 1 of")) << "the first stage, reported at once";
   EXPECT_THAT(output, HasSubstr("--effort normal"));
-  EXPECT_THAT(read(out() + "/tables.txt"), HasSubstr("--effort normal may come nearer"));
+  EXPECT_THAT(read(out() + "/tables.txt"), HasSubstr("With --effort normal it takes about"));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"effort\": \"quick\""));
   ASSERT_EQ(run("calibrate " + rock() + " --threads 2 --resume --out " + out()), 2) << "of another effort";
 }
