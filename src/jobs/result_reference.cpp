@@ -9,6 +9,7 @@
 #include "io/store.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
+#include "report/figures.hpp"
 
 namespace phy::jobs {
 namespace {
@@ -43,6 +44,15 @@ Of `result.json`.
 
 | key | content |
 |---|---|
+)";
+
+constexpr const char* figures_head = R"(
+## Kinds of figures
+
+`--kind` of `phyllite figure`. Numbers of figures refer to the paper behind this project.
+
+| kind | also | shows | width [mm] |
+|---|---|---|---|
 )";
 
 std::string measure_row(const QualityLimit& limit) {
@@ -90,6 +100,10 @@ std::string result_reference() {
   for (const QualityLimit& limit : quality_limits()) text += measure_row(limit);
   text += columns_head + column_rows() + keys_head;
   for (const FileKey& key : io::result_keys()) text += fmt::format("| `{}` | {} |\n", key.name, key.content);
+  text += figures_head;
+  for (const report::FigureKind& kind : report::figure_kinds())
+    text += fmt::format("| `{}` | {} | {} | {:g} |\n", kind.name,
+                        *kind.paper != '\0' ? fmt::format("`{}`", kind.paper) : "", kind.meaning, kind.width);
   return text;
 }
 

@@ -1,5 +1,5 @@
-// docs/result-tables.md: columns of histories, measures of quality and keys of a result, from the lists that
-// the program works by.
+// docs/result-tables.md: measures of quality, columns of histories, keys of a result and figures, from the
+// lists that the program works by.
 #pragma once
 #include <string>
 
