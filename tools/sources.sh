@@ -24,6 +24,6 @@ ln -sfn pugixml-* pugixml
 mkdir -p sqlite
 cp sqlite3-*/sqlite3.c sqlite3-*/sqlite3.h sqlite
 # Of libraries that are headers alone those of this machine.
-for header in boost eigen3/Eigen nlohmann toml++ CLI xxhash.h; do ln -sfn "/usr/include/$header" "include/${header##*/}"; done
+for header in boost eigen3/Eigen eigen3/unsupported nlohmann toml++ CLI xxhash.h; do ln -sfn "/usr/include/$header" "include/${header##*/}"; done
 rm -rf apt
 touch complete

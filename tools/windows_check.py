@@ -247,9 +247,9 @@ def check_stop(bench):
     first.send_signal(signal.SIGINT)  # which wine hands on as Ctrl-C
     said = first.communicate(timeout=PATIENCE)[0]
     expect(first.returncode == 1, f"Ctrl-C: exit code {first.returncode}: {said[-400:]}")
-    kept, number = store.stat().st_size, (place / "out/.lock").read_text()
+    kept, locked = store.stat().st_size, (place / "out/.lock").stat().st_mtime_ns
     second = bench.begin(*words, "--resume", where=place)
-    wait_for(lambda: (place / "out/.lock").read_text() != number, "the lock")
+    wait_for(lambda: (place / "out/.lock").stat().st_mtime_ns != locked, "the lock")
     second.kill()
     second.wait()
     expect(store.stat().st_size >= kept, "the store has become smaller")
@@ -319,7 +319,9 @@ class Gui:
         while "http://" not in line:
             line = self.process.stdout.readline()
             expect(line, f"gui ended with {self.process.poll()}")
-        self.address, self.token = re.search(r"(http://127\.0\.0\.1:\d+)/\?token=(\w+)", line).groups()
+        found = re.search(r"(http://127\.0\.0\.1:\d+)/\?token=(\w+)", line)
+        expect(found, line)
+        self.address, self.token = found.groups()
 
     def ask(self, path, body=None):
         data = None if body is None else json.dumps(body).encode()
@@ -381,7 +383,7 @@ def main():
             begun = time.time()
             try:
                 print(f"windows-check: {name}: {CHECKS[name](bench)} ({time.time() - begun:.0f} s)", flush=True)
-            except (Failed, subprocess.SubprocessError, OSError) as why:
+            except (Failed, subprocess.SubprocessError, OSError, ValueError) as why:
                 failed += 1
                 print(f"windows-check: {name}: FAILED: {why}", flush=True)
     finally:
