@@ -45,9 +45,11 @@ std::string tension_ratio(F f) {
 
 /// "12 % too high, give or take 15 %": what the maps expect of a value.
 std::string expected_text(F f) {
-  const double off = miss(property_of(f), f.number("expected"), f.number("laboratory"));
-  return fmt::format("{} too {}, give or take {}", miss_text(property_of(f), std::fabs(off)),
-                     off < 0.0 ? "low" : "high", percent_text(f.number("error")));
+  const Property p = property_of(f);
+  const double laboratory = f.number("laboratory"), off = miss(p, f.number("expected"), laboratory),
+               error = f.number("error") * (measured(p).absolute ? laboratory : 1.0);
+  return fmt::format("{} too {}, give or take {}", miss_text(p, std::fabs(off)), off < 0.0 ? "low" : "high",
+                     miss_text(p, error));
 }
 std::string expected_in_maps(F f) {
   return fmt::format("{} is {}, {}. The maps expect it of this model: {}.", cells_text(f.cells), both(f),
