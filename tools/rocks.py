@@ -5,7 +5,7 @@
 
 data/rocks/plan.toml says what is run: seeds, efforts, predictions. Folders of results/rocks are resumed: what is finished and of the same
 table, plan and program is not run again, and tests of an older program are taken from its store where they are the same. Then come
-data/rocks/NAME/card.json and calibrated.toml, docs/rocks.md, docs/boryeong.md and measured/rocks.csv. --effort and --seeds are for trials:
+data/rocks/NAME/card.json and calibrated.toml, data/rocks/forecasts.csv, docs/rocks.md, docs/boryeong.md and measured/rocks.csv. --effort and --seeds are for trials:
 what they write lies in results/rocks/trial. --write-only runs nothing.
 """
 import argparse
@@ -24,6 +24,7 @@ import tomllib
 
 import measured
 import rocks_pages
+import rocks_record
 from rocks_card import card_of, clean
 
 ROOT = measured.ROOT
@@ -214,6 +215,7 @@ def main():
     for name in names:
         card = card_of(BASE / name, work.runs[name], [x for x in work.predictions if x[0]["rock"] == name])
         write_rock(target / "data/rocks" / name, card, work.runs[name][0])
+    rocks_record.write(target / "data/rocks/forecasts.csv", work.runs)
     rocks_pages.write(target, plan, args.program, results)
 
 

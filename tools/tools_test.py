@@ -12,6 +12,7 @@ import compare_calibrations
 import cpp_text
 import rocks
 import rocks_card
+import rocks_record
 import status
 
 HARD = r'''
@@ -178,6 +179,16 @@ class Rocks(unittest.TestCase):
         self.assertEqual(rocks.timed([program, "third"], self.folder, self.folder / "missing", "third"), 1)  # stopped: no result
         rocks.timed([program, "third"], self.folder, count, "third")
         self.assertEqual(count.read_text(), "one\nanother\nthird\nthird\n")
+
+    def test_the_record_of_forecasts_keeps_the_rocks_that_were_not_run(self):
+        record = self.folder / "forecasts.csv"
+        record.write_text(rocks_record.HEAD + "a,1,quick,UCS,0.1,0.2,0.3\nb,1,quick,E,0.1,0.2,0.1\n")
+        run = rocks.Run(self.folder / "run", "tournemire-shale", 7, ["--elastic"])
+        run.result.parent.mkdir(parents=True)
+        run.result.write_text(json.dumps({"effort": "normal", "errors": [{"of": "unseen packings", "UCS": 0.06, "nu": None}], "reach": [
+            {"kind": "forecast_excepted", "numbers": {"UCS": [0.05, 0.2], "nu": [0.01, 0.02]}}]}))
+        rocks_record.write(record, {"a": [run]})
+        self.assertEqual(record.read_text().splitlines()[2:], ["a,7,normal,UCS,0.0500,0.2000,0.0600", "b,1,quick,E,0.1,0.2,0.1"])
 
     def test_another_table_begins_anew(self):
         run = rocks.Run(self.folder / "run", "tournemire-shale", 1, ["--elastic"])

@@ -5,9 +5,11 @@
 
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/eq2.hpp"
+#include "calibrate/finer_grains.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "survey/elastic_limits.hpp"
 #include "survey/identifiability.hpp"
+#include "verdict/cells.hpp"
 #include "verdict/judge.hpp"
 
 namespace phy::calibrate {
@@ -24,6 +26,7 @@ struct Found {
   bool finished = false;
 
   const ElasticFit& elastic() const { return strengths ? strengths->moduli : moduli.fit; }
+  Softenings softenings() const { return strengths ? strengths->fit.softenings : Softenings(); }
   const Recipe& recipe() const { return strengths ? strengths->fit.recipe : moduli.fit.recipe; }
 };
 
@@ -126,8 +129,19 @@ void report_tests(const Verified& v, std::vector<Finding>& notes) {
 /// Why no model has the table's moduli: of a rock with layers, what no layered elastic body can have.
 std::vector<Finding> limits_of(const Evidence& evidence, const Found& found) {
   if (!evidence.rock.bedded) return {};
-  const Softenings softenings = found.strengths ? found.strengths->fit.softenings : Softenings();
-  return survey::elastic_limits(at_small_strain(evidence, softenings).moduli);
+  return survey::elastic_limits(at_small_strain(evidence, found.softenings()).moduli);
+}
+
+/// Where nu is missed and an elastic body has the table: what smaller grains make of it.
+std::optional<Finding> finer_grains(const StageTask& task, const Found& found) {
+  std::vector<Cell> missed;
+  for (const verdict::JudgedCell& c : verdict::judge_cells(found.verified->rows))
+    if (c.outcome == verdict::Outcome::missed && c.row.target.property == Property::nu)
+      missed.push_back(cell_of(c.row.target));
+  if (missed.empty() || !limits_of(task.evidence, found).empty()) return {};
+  const std::vector<std::int64_t> two(task.packings.fit.begin(), task.packings.fit.begin() + 2);
+  return grains_for_nu(at_small_strain(task.evidence, found.softenings()), found.elastic(), missed, two,
+                       task.simulator);
 }
 
 Verdict judged(const Calibration& c, const Evidence& evidence, const Found& found) {
@@ -150,6 +164,8 @@ Verdict judged(const Calibration& c, const Evidence& evidence, const Found& foun
 std::string name_of(const Calibration& result, bool moduli, bool strength) {
   if (result.verdict.status == VerdictStatus::out_of_reach)
     return result.rock + ", the nearest model (out of reach)";
+  if (result.verdict.status == VerdictStatus::not_calibrated)
+    return result.rock + ", the nearest model (not calibrated)";
   const bool open = result.verdict.status == VerdictStatus::not_decided;
   return result.rock +
          (!strength ? ", moduli calibrated, strengths given"
@@ -188,6 +204,8 @@ void conclude(Calibration& c, std::vector<Estimate>& estimates, const Found& fou
   c.recipe = ready_to_run(c.recipe, task.evidence);
   report_tests(*found.verified, c.notes);
   c.verdict = judged(c, task.evidence, found);
+  if (posterior)
+    if (const auto finer = finer_grains(task, found)) c.reach.push_back(*finer);
   if (c.verdict.status == VerdictStatus::out_of_reach && verdict::withdraw_intervals(c.fitted))
     c.notes.push_back({FindingKind::intervals_withdrawn});
   append(c.notes, found.elastic().notes);

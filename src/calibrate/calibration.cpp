@@ -11,6 +11,7 @@
 #include "calibrate/model_trial.hpp"
 #include "calibrate/outlook.hpp"
 #include "maps/placing.hpp"
+#include "maps/reach.hpp"
 #include "survey/cells.hpp"
 #include "verdict/causes.hpp"
 #include "verdict/cells.hpp"
@@ -203,8 +204,7 @@ class Trial {
     return taken ? std::move(second) : std::move(first);
   }
 
-  /// What the other models of a calibration came to, and, out of reach, what the maps say of the one that was
-  /// taken.
+  /// What the other models of a calibration came to, and what the maps say of the one that was taken.
   void report_others(Tried& found) const {
     Calibration& c = found.attempt.calibration;
     std::vector<Recipe> recipes = {found.by->evidence.rock.model};
@@ -214,6 +214,8 @@ class Trial {
       c.notes.insert(c.notes.end(), results_.begin(), results_.end());
       c.notes.push_back({FindingKind::model_kept, {}, {}, {found.by->name()}});
     }
+    for (Finding& f : maps::reach_of(found.by->evidence, options_.effort.name == quick_effort.name))
+      c.reach.push_back(std::move(f));
     if (c.verdict.status != VerdictStatus::out_of_reach || !method_of(c.method).compares_models) return;
     if (const auto nearest = maps::against_maps(found.by->evidence, recipes, c.verification))
       c.verdict.findings.insert(c.verdict.findings.begin(), *nearest);

@@ -64,9 +64,11 @@ SearchPlan plan_search(const Budget& budget, std::size_t n_ratios, std::int64_t 
   SearchPlan plan;
   plan.batches = batches_of(std::clamp(paid, least_points, most), course);
   plan.most_batches = plan.batches.size() + further_rounds(effort, course);
-  plan.shortage = {effort.points < normal_effort.points, budget.max_tests < usual * n_compressive,
-                   effort.foreseen,
-                   std::max<std::int64_t>(0, usual - std::clamp(paid, least_points, most)) * n_compressive};
+  plan.shortage = {
+      .of_effort = effort.points < normal_effort.points,
+      .of_tests = budget.max_tests < usual * n_compressive,
+      .foreseen = effort.foreseen,
+      .tests = std::max<std::int64_t>(0, usual - std::clamp(paid, least_points, most)) * n_compressive};
   if (effort.points > normal_effort.points && paid < most && !plan.shortage.any())
     plan.cut = Finding{FindingKind::search_cut,
                        {},

@@ -255,11 +255,13 @@ class StrengthSearch {
       if (task_.refit) refit_moduli();
       learn(b + 1);
       if (plan_.batches[b].at_estimate) tried_.push_back(at);
+      if (b + 1 < plan_.batches.size()) continue;
       // The first tests on the recipe's own grains surprise by what coarse ones are off, whatever the
       // estimate.
       const bool none_follow = course_ != Course::own && plan_.most_batches == n_planned;
-      if (b + 1 < plan_.batches.size() || none_follow) continue;
-      if (const auto why = unsettled(posterior_, estimate_, at, surprise)) go_on(*why);
+      const auto why = unsettled(posterior_, estimate_, at, none_follow ? 0.0 : surprise);
+      fit_.shortage.settled = !why;
+      if (why && !none_follow) go_on(*why);
     }
     report();
   }
@@ -399,9 +401,11 @@ class StrengthSearch {
       fit_.notes.push_back(why);
     else if (came_nearer(posterior_, tried_))
       plan_.batches.push_back({Grains::own, true, packings_per_round});
-    else
+    else {
+      fit_.shortage.settled = true;
       fit_.notes.push_back(
           {FindingKind::rounds_no_nearer, {}, {{"rounds", static_cast<double>(tried_.size())}}});
+    }
   }
 
   /// Targets that no test has answered.

@@ -34,17 +34,28 @@ struct Forecast {
   double n_grains = 0.0;            ///< of the rock's specimen
   double grains_across = 0.0;       ///< its disc; 0: there is none
   double nu_of_nearest_body = 0.0;  ///< what the nearest layered elastic body misses of nu
+  /// By a search of the effort "quick": as `auto` takes where the forecast is out of reach, unless said
+  /// otherwise.
+  bool quick = false;
   bool beyond_map = false;  ///< E lies where nothing was mapped, though planes in an isotropic rock have it
   /// Is every property met within its tolerance, root mean square?
   bool meets() const;
   /// Root mean square miss of a property, relative or absolute as it counts; NaN: no row of it.
   double rms(Property property) const;
+  /// What the quadratics miss of such a value of specimens that they were not shown, by its logarithm.
+  double error_of(const Target& target) const;
   /// What a calibration is expected to miss on unseen packings. Low: what the quadratics miss of the table,
   /// but no less than what packings of this size differ by, nor, of nu, than the nearest layered body. High:
-  /// with what the quadratics themselves miss of single specimens, and of discs with what coarse grains add.
-  /// Nothing without a row of it.
+  /// with what the quadratics themselves miss of single specimens, what a quick search misses more than a
+  /// usual one, and of discs what coarse grains add. Nothing without a row of it.
   std::optional<ErrorRange> expected_error(Property property) const;
 };
+
+/// Grains across the disc of a target.
+double grains_across_disc(const Recipe& model, const Target& target);
+/// Tension of discs so many grains across over that of the maps, 24 across: a power through 12 to 48 grains
+/// (docs/theory/reach.md).
+double tension_over_maps(double grains_across);
 
 /// By the models that `layers` of the rock admits; nothing: none of them was mapped, or the table has neither
 /// E nor UCS. `fold`: a fifth of the points that the quadratics are not shown; negative: none.

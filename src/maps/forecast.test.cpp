@@ -4,13 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "base/embedded.hpp"
 #include "maps/forecast_fixture.hpp"
+#include "maps/forecast_record.hpp"
+#include "maps/reach.hpp"
 
 namespace phy::maps {
 namespace {
@@ -148,6 +152,50 @@ TEST(Forecast, NoErrorIsExpectedBelowItsOwn) {
   EXPECT_GT(ucs.high, 0.1);
   rock.model.packing.n_grains = 300;
   EXPECT_GT(forecast_for(rock)->expected_error(Property::ucs)->low, 3.0 * ucs.low) << "coarse grains";
+}
+
+// Twenty twins: 6.5 % of UCS by quick searches, 4.9 % by normal ones.
+TEST(Forecast, AQuickSearchIsExpectedToMissMore) {
+  Forecast f = forecast_for(rock_of(usual(), 7)).value();
+  const ErrorRange normal = f.expected_error(Property::ucs).value();
+  f.quick = true;
+  const ErrorRange quick = f.expected_error(Property::ucs).value();
+  EXPECT_EQ(quick.low, normal.low);
+  EXPECT_NEAR(quick.high * quick.high - normal.high * normal.high, 0.065 * 0.065 - 0.049 * 0.049, 2e-4);
+}
+
+TEST(Forecast, ItsRecordOnMeasuredRocksIsCountedFromATable) {
+  const Finding f = record_on_rocks(
+      "# by hand\nrock,low,high,reached\na,0.1,0.2,0.15\na,0.1,0.2,0.3\nb,0.1,0.2,0.1\nb,0.1,0.2,0.01\n");
+  EXPECT_EQ(f.number("inside"), 2.0);
+  EXPECT_EQ(f.number("below"), 1.0);
+  EXPECT_EQ(f.number("of"), 4.0);
+  EXPECT_GE(record_on_rocks(embedded("data/rocks/forecasts.csv")).number("of"), 10.0);
+}
+
+TEST(Reach, HasTheForecastAndWhatItExpectsOfEveryValueThatWasMapped) {
+  Rock rock = rock_of(usual(), 7);
+  rock.layers = LayerModel::planes, rock.readings.push_back(reading(Property::direct_tension, 0.0, 8e6));
+  const std::vector<Finding> reach = reach_of(Evidence(rock), false);
+  const auto n = [&](FindingKind kind) {
+    return std::count_if(reach.begin(), reach.end(), [&](const Finding& f) { return f.kind == kind; });
+  };
+  EXPECT_EQ(n(FindingKind::map_expected), 7 + 7 + 3) << "not of direct tension";
+  EXPECT_EQ(n(FindingKind::map_ratio), 3);
+  EXPECT_TRUE(to_string(reach.front().kind).starts_with("forecast_"));
+}
+
+// Discs of coarse grains are stronger in tension: 12 across by 2^0.21.
+TEST(Reach, UcsOverTensionIsThatOfTheRocksOwnGrains) {
+  Rock rock = rock_of(usual(), 7);
+  rock.layers = LayerModel::planes;
+  const auto high = [&] {
+    const std::vector<Finding> reach = reach_of(Evidence(rock), false);
+    return first_of(reach, FindingKind::map_ratio)->number("high");
+  };
+  const double fine = high();
+  rock.model.packing.radius_min *= 2.0, rock.model.packing.radius_max *= 2.0;
+  EXPECT_NEAR(fine / high(), std::pow(2.0, 0.21), 1e-9);
 }
 
 TEST(Forecast, CoarseDiscsAreExpectedToBeTooStrong) {

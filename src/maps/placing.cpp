@@ -108,32 +108,24 @@ struct Ratios {
 };
 
 /// The ratio of the table beside those of all models, with the names of models that reach it.
-std::optional<Finding> ratio_in_maps(const Evidence& evidence, const std::vector<ClosestMapped>& models,
+std::optional<Finding> ratio_in_maps(const Evidence& evidence, const std::vector<const MappedModel*>& models,
                                      const Target& tension, double laboratory) {
-  double low = infinity, high = 0.0;
+  double low = infinity, high = 0.0, flat_joints = 0.0;
   Finding f{FindingKind::map_ratio, {cell_of(tension)}};
-  for (const ClosestMapped& m : models) {
-    const Ratios reached(evidence, *m.model, tension);
+  for (const MappedModel* m : models) {
+    const Ratios reached(evidence, *m, tension);
     low = std::min(low, reached.low), high = std::max(high, reached.high);
-    if (reached.low <= laboratory && laboratory <= reached.high) f.names.emplace_back(m.model->label);
+    if (!(reached.low <= laboratory && laboratory <= reached.high)) continue;
+    f.names.emplace_back(m->label);
+    flat_joints += m->model->matrix == MatrixModel::flat_joint ? 1.0 : 0.0;
   }
   if (high == 0.0) return {};
   f.numbers = {{"laboratory", laboratory},
                {"low", low},
                {"high", high},
-               {"models", static_cast<double>(models.size())}};
+               {"models", static_cast<double>(models.size())},
+               {"flat_joints", flat_joints}};
   return f;
-}
-
-void add_ratios(const Evidence& evidence, const std::vector<ClosestMapped>& models,
-                std::vector<Finding>& findings) {
-  for (const Target& t : evidence.strengths)
-    for (const Target& u : evidence.strengths) {
-      if (!is_tensile(t.property) || u.property != Property::ucs || u.theta != t.theta ||
-          (evidence.rock.bedded && !is_mapped(t.theta, t.property)))
-        continue;
-      if (auto f = ratio_in_maps(evidence, models, t, u.mean / t.mean)) findings.push_back(std::move(*f));
-    }
 }
 
 std::vector<ClosestMapped> closest_mapped_in(Unit unit, const Evidence& evidence) {
@@ -156,6 +148,18 @@ std::vector<ClosestMapped> closest_mapped_in(Unit unit, const Evidence& evidence
 }
 
 }  // namespace
+
+std::vector<Finding> ratios_in_maps(const Evidence& evidence, const std::vector<const MappedModel*>& models) {
+  std::vector<Finding> findings;
+  for (const Target& t : evidence.strengths)
+    for (const Target& u : evidence.strengths) {
+      if (!is_tensile(t.property) || u.property != Property::ucs || u.theta != t.theta ||
+          (evidence.rock.bedded && !is_mapped(t.theta, t.property)))
+        continue;
+      if (auto f = ratio_in_maps(evidence, models, t, u.mean / t.mean)) findings.push_back(std::move(*f));
+    }
+  return findings;
+}
 
 std::vector<ClosestMapped> closest_mapped(const Evidence& evidence) {
   return closest_mapped_in(relative, evidence);
@@ -190,6 +194,8 @@ std::optional<Finding> against_maps(const Evidence& evidence, const std::vector<
              {"models", static_cast<double>(n_models)},
              {"with_nu", with_nu ? 1.0 : 0.0}},
             {nearest.model->label}};
+  for (const Target& t : evidence.targets)
+    if (!was_mapped(table, evidence, t)) f.cells.push_back(cell_of(t));
   // what is nearer by less may be chance: mapped specimens scatter as all others do
   if (nearest.error > own / times_nearer) return f;
   const auto is_it = [&](const Recipe& model) { return nearest.model->has(model); };
@@ -209,7 +215,9 @@ std::vector<Finding> place_in_maps(const Evidence& evidence) {
                           {},
                           {{"error", m.error}, {"specimens", static_cast<double>(m.n_points)}},
                           {m.model->label}});
-  add_ratios(evidence, models, findings);
+  std::vector<const MappedModel*> all;
+  for (const ClosestMapped& m : models) all.push_back(m.model);
+  for (Finding& f : ratios_in_maps(evidence, all)) findings.push_back(std::move(f));
   return findings;
 }
 

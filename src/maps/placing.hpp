@@ -22,6 +22,9 @@ struct ClosestMapped {
 /// layered rock was not mapped and is left out.
 std::vector<ClosestMapped> closest_mapped(const Evidence& evidence);
 
+/// `map_ratio` of each tension beside UCS at an inclination that was mapped: what these models reach.
+std::vector<Finding> ratios_in_maps(const Evidence& evidence, const std::vector<const MappedModel*>& models);
+
 /// `nearest_in_maps`: a calibrated model held against the maps by E, nu as a test reads it, and strengths,
 /// scales free on both sides, in units of the tolerances, and whether one of the other models, or another
 /// search, may come nearer. Specimens of the maps lie far apart: that none is nearer does not prove that none

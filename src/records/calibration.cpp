@@ -50,6 +50,7 @@ const char* to_string(VerdictStatus status) {
   switch (status) {
     case VerdictStatus::calibrated: return "calibrated";
     case VerdictStatus::calibrated_except: return "calibrated except";
+    case VerdictStatus::not_calibrated: return "not calibrated";
     case VerdictStatus::not_decided: return "not decided";
     case VerdictStatus::out_of_reach: return "out of reach";
     case VerdictStatus::interrupted: break;

@@ -71,7 +71,14 @@ struct Comparison {
   bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };
 
-enum class VerdictStatus { calibrated, calibrated_except, not_decided, out_of_reach, interrupted };
+enum class VerdictStatus {
+  calibrated,
+  calibrated_except,
+  not_calibrated,
+  not_decided,
+  out_of_reach,
+  interrupted
+};
 const char* to_string(VerdictStatus status);
 
 /// What the numbers mean: the status (verdict/judge.hpp) with how many values are met, missed and open; each
@@ -130,6 +137,8 @@ struct Shortage {
   bool of_effort = false;  ///< points, for a lower effort
   bool of_tests = false;   ///< for too small a budget
   bool foreseen = false;   ///< a lower effort, because the forecast saw the table out of reach
+  /// Its estimate no longer moved, or came no nearer to the table: more tests would not move it either.
+  bool settled = false;
   std::int64_t tests = 0;  ///< in compression, that a usual search takes more
   bool any() const { return of_effort || of_tests; }
 };
@@ -169,6 +178,8 @@ struct Calibration {
   /// which is missing from `fitted` and `verification`: the latter times the ratio (nu: plus the difference)
   /// of test and direct solution on the first unseen packing. Where the table holds E or nu, and UCS.
   std::vector<Comparison> tangent_from_test;
+  /// What the maps expect of each value and of UCS over tension by this model (maps/reach.hpp).
+  std::vector<Finding> reach;
   std::vector<PlaneStiffness> eq2;  ///< and how far it moves with what is assumed of the planes
   Verdict verdict;
   std::vector<Finding> notes;  ///< what else there is to know of the way to it

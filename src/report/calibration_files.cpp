@@ -227,6 +227,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["matrix"] = c.recipe.matrix.model == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond";
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   if (!c.eq2.empty()) j["eq2"] = eq2_json(c.eq2);
+  if (!c.reach.empty()) j["reach"] = findings_json(c.reach);
   j["notes"] = findings_json(c.notes);
   j["methods"] = methods_text(c, version);
   j["mixing"] = {{"effective_sample_size", c.mixing.effective}, {"r_hat", c.mixing.r_hat}};

@@ -73,13 +73,30 @@ TEST(Words, CausesOfTheMisfit) {
       sentence({Kind::weakest_angle_no_plane, {{Property::ucs, 30.0}, {Property::ucs, 60.0}}}),
       "The rock is weakest at 30 degrees, the model at 60 degrees. No single weak plane is weakest there.");
   EXPECT_EQ(
-      sentence(
-          {Kind::tension_too_strong,
-           {{Property::brazilian, 0.0}},
-           {{"laboratory_low", 14.3}, {"laboratory_high", 15.0}, {"model_low", 8.6}, {"model_high", 8.6}}}),
-      "UCS/BTS is 14.3 to 15.0 in the table and 8.6 in the model. Bonded discs are strong in tension.");
+      sentence({Kind::tension_ratio,
+                {{Property::brazilian, 0.0}},
+                {{"laboratory", 25.0}, {"low", 3.52}, {"high", 23.1}, {"ucs", -0.03}, {"tension", 0.12}}}),
+      "UCS/BTS at 0 degrees is 25.0 in the table; mapped specimens of this model have 3.5 to 23.1. The "
+      "model's UCS is off by -3 %, its BTS by +12 %.");
+  Finding far{Kind::farthest_value, {ucs_60}, {{"model", 66e6}, {"laboratory", 53.5e6}}};
+  EXPECT_EQ(sentence(far),
+            "Farthest off is UCS at 60 degrees, 66.0 MPa in the model and 53.5 MPa in the table.");
+  far.numbers.insert(far.numbers.end(), {{"packings", 3.3e6}, {"expected", 55.0e6}, {"error", 0.15}});
+  EXPECT_EQ(
+      sentence(far),
+      "Farthest off is UCS at 60 degrees, 66.0 MPa in the model and 53.5 MPa in the table. No cause was "
+      "found: the maps expect this model 2.8 % too high, give or take 15 %; packings differ by 5.0 %.");
+  far.kind = Kind::expected_in_maps;
+  EXPECT_EQ(sentence(far),
+            "UCS at 60 degrees is 66.0 MPa in the model and 53.5 MPa in the table, 23 % too high. The maps "
+            "expect it of this model: 2.8 % too high, give or take 15 %.");
   EXPECT_EQ(sentence({Kind::moduli_scaled, {}, {{"factor", 0.8}}}),
             "E as a whole is 0.80 times E of the table.");
+}
+
+TEST(Words, AMeasureOfQualityIsNamedByWhatIsWrong) {
+  EXPECT_EQ(sentence({Kind::tests_marked, {}, {{"tests", 7.0}, {"of", 420.0}}, {"kinetic_ratio"}}),
+            "A warning of 7 of 420 tests on unseen packings: the specimen is in motion, not in equilibrium.");
 }
 
 TEST(Words, NotesOfTheWay) {
@@ -92,10 +109,10 @@ TEST(Words, NotesOfTheWay) {
                        {"of_effort", 1.0},
                        {"of_tests", 1.0},
                        {"foreseen", 0.0},
-                       {"more", 0.0}}}),
-            "The search was short (60 tests in compression by 2 models). In a new folder --effort normal and "
-            "a larger --max-tests "
-            "may come nearer.");
+                       {"more", 0.0}},
+                      {},
+                      Advice::longer_search}),
+            "The search was short (60 tests in compression by 2 models), and its estimate had not settled.");
   EXPECT_EQ(sentence({Kind::search_short,
                       {},
                       {{"tests", 60.0},
@@ -104,9 +121,8 @@ TEST(Words, NotesOfTheWay) {
                        {"of_tests", 0.0},
                        {"foreseen", 1.0},
                        {"more", 90.0}}}),
-            "The search was short (60 tests in compression): the forecast saw the table out of reach. In a "
-            "new folder "
-            "--effort normal may come nearer, with about 90 more.");
+            "The search was short (60 tests in compression): the forecast saw the table out of reach. With "
+            "--effort normal it takes about 90 more.");
   EXPECT_EQ(sentence({Kind::packings_added, {}, {{"packings", 10.0}, {"usual", 5.0}}}),
             "Strengths of packings of this size differ so much that 10 unseen ones were taken instead of 5.");
 }
@@ -140,9 +156,8 @@ TEST(Words, TheVerdictOfARockThatIsMet) {
   EXPECT_EQ(
       verdict_words(c),
       "Calibrated. On packings that the fit has not seen: 20 of 21 values are met, 1 is not decided. Judged "
-      "each by itself, 1 value is off; chance alone gives about 1 at most. The model has nu within 0.010 and "
-      "UCS "
-      "within 1.7 % of the table.");
+      "each by itself, 1 value is off; chance alone gives about 1 at most. Largest errors: nu 0.010 and UCS "
+      "1.7 %.");
   EXPECT_THAT(verdict_lines(c),
               ElementsAre("Good for: UCS at every angle of the table; nu at 0 degrees.",
                           "Not good for: nu at 60 degrees, not decided; strength under confinement: not "
@@ -157,9 +172,8 @@ TEST(Words, TheVerdictOfATableOfOneValueWithoutBedding) {
   c.verdict.not_good_for = {{Kind::tests_open, {{Property::ucs, nan}}, {{"of", 1.0}}}};
   c.verdict.next = {Kind::next_step, {}, {}, {"UCS"}, Advice::state_scatter};
   EXPECT_EQ(verdict_words(c),
-            "Not decided: the table states no scatter of UCS. On packings that the fit has not seen: none of "
-            "1 value is "
-            "met, 1 is not decided. The model has UCS within 1.7 % of the table.");
+            "Not decided: the table states no scatter of UCS. On packings that the fit has not seen: the one "
+            "value is not decided. Largest errors: UCS 1.7 %.");
   EXPECT_THAT(
       verdict_lines(c),
       ElementsAre("Good for: nothing that the table could show.", "Not good for: UCS, not decided.",
@@ -263,7 +277,12 @@ Finding specimen_of(Kind kind) {
                            "intercept",
                            "R2",
                            "rounds",
-                           "softened"})
+                           "softened",
+                           "ucs",
+                           "tension",
+                           "expected",
+                           "finer",
+                           "miss_finer"})
     f.numbers.push_back({name, 0.5});
   return f;
 }

@@ -1,5 +1,6 @@
 // What a calibration finds, in words.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,40 @@ std::string ranges(F f, const std::string& ratio, const char* format) {
                      range_text(f.number("model_low"), f.number("model_high"), format));
 }
 std::string tension_ratio(F f) {
-  return ranges(f, fmt::format("UCS/{}", to_string(property_of(f))), "{:.1f}");
+  const Cell& c = f.cells.front();
+  return fmt::format(
+      "UCS/{0}{1} is {2:.1f} in the table; mapped specimens of this model have {3}. "
+      "The model's UCS is off by {4:+.0f} %, its {0} by {5:+.0f} %.",
+      to_string(c.property), at_text({c.theta}), f.number("laboratory"),
+      range_text(f.number("low"), f.number("high"), "{:.1f}"), 100.0 * f.number("ucs"),
+      100.0 * f.number("tension"));
+}
+
+/// "12 % too high, give or take 15 %": what the maps expect of a value.
+std::string expected_text(F f) {
+  const Property p = property_of(f);
+  const double laboratory = f.number("laboratory"), off = miss(p, f.number("expected"), laboratory),
+               error = f.number("error") * (measured(p).absolute ? laboratory : 1.0);
+  return fmt::format("{} too {}, give or take {}", miss_text(p, std::fabs(off)), off < 0.0 ? "low" : "high",
+                     miss_text(p, error));
+}
+std::string expected_in_maps(F f) {
+  return fmt::format("{} is {}, {}. The maps expect it of this model: {}.", cells_text(f.cells), both(f),
+                     miss_text(f), expected_text(f));
+}
+
+/// With what was ruled out, where no cause was found.
+std::string farthest_value(F f) {
+  const std::string text = fmt::format("Farthest off is {}, {}.", cells_text(f.cells), both(f));
+  std::vector<std::string> ruled_out;
+  if (f.has("expected")) ruled_out.push_back("the maps expect this model " + expected_text(f));
+  if (f.has("packings"))
+    ruled_out.push_back("packings differ by " +
+                        (measured(property_of(f)).absolute
+                             ? fmt::format("{:.3f}", f.number("packings"))
+                             : percent_text(f.number("packings") / f.number("model"))));
+  return ruled_out.empty() ? text
+                           : text + fmt::format(" No cause was found: {}.", fmt::join(ruled_out, "; "));
 }
 std::string ends_ratio(F f, const char* ratio) {
   return fmt::format("{} is {:.2f} in the table and {:.2f} in the model.", ratio, f.number("laboratory"),
@@ -45,11 +79,12 @@ std::string weakest(F f) {
 }
 
 std::string nearest_in_maps(F f) {
-  const std::string numbers = fmt::format(
+  std::string numbers = fmt::format(
       "With free scales the model misses the table by {:.2f} tolerances (rms), the nearest of {:.0f} mapped "
       "specimens of {} by {:.2f}.",
       f.number("model"), f.number("specimens"), counted_text(f.number("models"), "model"),
       f.number("nearest"));
+  numbers += f.cells.empty() ? "" : fmt::format(" Without {}, which the maps lack.", cells_text(f.cells));
   if (f.advice == Advice::none) return numbers + " The maps show no nearer model.";
   const std::string &model = f.names.front(),
                     again = fmt::format("Another search ({}, packing.seed)", option("effort"));
@@ -110,6 +145,11 @@ std::string value_open(F f) {
 
 std::string values_judged(F f) {
   const double met = f.number("met"), values = f.number("values");
+  if (values == 1.0)
+    return fmt::format("the one value is {}.", met > 0.0                  ? "met"
+                                               : f.number("missed") > 0.0 ? "missed"
+                                               : f.number("open") > 0.0   ? "not decided"
+                                                                          : "without an answer");
   std::string text = fmt::format("{} of {} {} met", met == 0.0 ? "none" : fmt::format("{:.0f}", met),
                                  counted_text(values, "value"), met <= 1.0 ? "is" : "are");
   const auto add = [&](const char* name, const char* word) {
@@ -241,6 +281,15 @@ const std::vector<Wording> cause_words = {
            "nu(90)/nu(0) is {:.2f} in the table; in a layered elastic body it equals E(90)/E(0), {:.2f}.",
            f.number("nu"), f.number("E"));
      }},
+    {Kind::grains_for_nu,
+     [](F f) {
+       return fmt::format(
+           "{} is off by up to {:.3f} on {:.0f} grains. With moduli fitted anew on {:.0f} smaller ones it is "
+           "off by "
+           "{:.3f}.",
+           cells_text(f.cells), f.number("miss"), f.number("grains"), f.number("finer"),
+           f.number("miss_finer"));
+     }},
     {Kind::stiffening,
      [](F f) {
        return fmt::format(
@@ -257,7 +306,7 @@ const std::vector<Wording> cause_words = {
      [](F f) { return weakest(f) + " No single weak plane is weakest there."; }},
     {Kind::ucs_ratio, [](F f) { return ends_ratio(f, "UCS(0)/UCS(90)"); }},
     {Kind::tension_ratio, tension_ratio},
-    {Kind::tension_too_strong, [](F f) { return tension_ratio(f) + " Bonded discs are strong in tension."; }},
+    {Kind::expected_in_maps, expected_in_maps},
     {Kind::initiation_ratio, [](F f) { return ranges(f, "sigma_ci/UCS", "{:.2f}"); }},
     {Kind::grains_for_toughness,
      [](F f) {
@@ -271,8 +320,7 @@ const std::vector<Wording> cause_words = {
            "Packings of this grain size differ by {} from each other; the model misses the table by {}.",
            percent_text(f.number("sd")), percent_text(f.number("miss")));
      }},
-    {Kind::farthest_value,
-     [](F f) { return fmt::format("Farthest off is {}, {}.", cells_text(f.cells), both(f)); }},
+    {Kind::farthest_value, farthest_value},
     {Kind::strengths_of_recipe,
      [](F) -> std::string { return "strengths, which are those of the recipe, not of the rock."; }},
     {Kind::gap_in_ucs,
@@ -379,8 +427,11 @@ const std::vector<Wording> test_words = {
      true},
     {Kind::tests_marked,
      [](F f) {
-       return fmt::format("A warning of {}: {:.0f} of {} on unseen packings.", f.names.front(),
-                          f.number("tests"), counted_text(f.number("of"), "test"));
+       const auto limit = std::ranges::find_if(
+           quality_limits(), [&](const QualityLimit& q) { return f.names.front() == q.number; });
+       return fmt::format("A warning of {:.0f} of {} on unseen packings: {}.", f.number("tests"),
+                          counted_text(f.number("of"), "test"),
+                          limit != quality_limits().end() ? limit->says : f.names.front());
      }},
     {Kind::tests_unmarked,
      [](F f) {
@@ -431,14 +482,14 @@ const std::vector<Wording> test_words = {
 const std::vector<Wording> search_words = {
     {Kind::search_short,
      [](F f) {
-       const std::string more =
-           f.number("more") > 0.0 ? fmt::format(", with about {:.0f} more", f.number("more")) : std::string();
-       return fmt::format(
-           "The search was short ({} in compression{}){}. In a new folder {} may come nearer{}.",
-           counted_text(f.number("tests"), "test"),
+       const std::string text = fmt::format(
+           "The search was short ({} in compression{}){}", counted_text(f.number("tests"), "test"),
            f.number("models") > 1.0 ? " by " + counted_text(f.number("models"), "model") : std::string(),
-           f.number("foreseen") > 0.0 ? ": the forecast saw the table out of reach" : "",
-           options_of_search(f), more);
+           f.number("foreseen") > 0.0 ? ": the forecast saw the table out of reach" : "");
+       const std::string more = f.number("more") > 0.0 ? fmt::format(" With {} it takes about {:.0f} more.",
+                                                                     options_of_search(f), f.number("more"))
+                                                       : std::string();
+       return text + (f.advice == Advice::none ? "." : ", and its estimate had not settled.") + more;
      }},
     {Kind::search_cut,
      [](F f) {
@@ -531,8 +582,7 @@ const std::vector<AdviceWording> advice_words = {
            list_text(columns));
      }},
     {Advice::more_specimens, nullptr, [](F of) { return "test more specimens of " + cells_text(of.cells); }},
-    {Advice::smaller_grains,
-     "take smaller grains in the rock's recipe (packing.radius_min, packing.radius_max)"},
+    {Advice::smaller_grains, "take smaller grains (grain_size in the rock file, or the radii of its recipe)"},
     {Advice::check_value, nullptr,
      [](F of) { return "check " + cells_text(of.cells) + " in the table, or test more specimens there"; }},
     {Advice::check_nu, "check how nu was measured (it counts in the plane of load and dip), or leave it out"},

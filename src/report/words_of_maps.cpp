@@ -45,7 +45,7 @@ std::string ratio(F f) {
 
 const std::vector<Wording> forecasts = {
     {Kind::forecast_calibrated, [](F f) { return forecast(f, "end calibrated, or with few exceptions"); }},
-    {Kind::forecast_excepted, [](F f) { return forecast(f, "end calibrated, with exceptions"); }},
+    {Kind::forecast_excepted, [](F f) { return forecast(f, "miss some values of the table"); }},
     {Kind::forecast_unresolved,
      [](F f) { return forecast(f, "meet the table, with too few specimens to show it"); }},
     {Kind::forecast_out_of_reach, [](F f) { return forecast(f, "end out of reach"); }},
@@ -56,8 +56,8 @@ const std::vector<Wording> forecasts = {
      [](F) -> std::string {
        return "E lies where nothing was mapped, though planes in an isotropic rock have such E.";
      }},
-    {Kind::forecast_unmapped, [](F) -> std::string { return "no forecast, because it was not mapped."; },
-     true},
+    {Kind::forecast_unmapped,
+     [](F) -> std::string { return "not in the forecast, because the maps lack this test."; }, true},
     {Kind::forecast_record,
      [](F f) {
        return fmt::format("No test has run. Of {:.0f} forecasts of synthetic rock {:.0f} {} wrong.",
@@ -65,8 +65,9 @@ const std::vector<Wording> forecasts = {
      }},
     {Kind::forecast_on_rocks,
      [](F f) {
-       return fmt::format("Of {:.0f} errors of measured rocks {:.0f} came out in the expected range.",
-                          f.number("of"), f.number("inside"));
+       return fmt::format(
+           "Of {:.0f} errors of measured rocks {:.0f} came out in the expected range, {:.0f} below it.",
+           f.number("of"), f.number("inside"), f.number("below"));
      }},
     {Kind::forecast_untried,
      [](F f) {
@@ -88,6 +89,13 @@ const std::vector<Wording>& words_of_maps() {
                f.number("specimens"), f.names.front(), percent_text(f.number("error")));
          }},
         {Kind::map_ratio, ratio},
+        {Kind::map_expected,
+         [](F f) {
+           const Property p = f.cells.front().property;
+           return fmt::format("the maps expect {} of this model, where the table has {}.",
+                              value_text(p, f.number("model")), value_text(p, f.number("laboratory")));
+         },
+         true},
     };
     all.insert(all.end(), forecasts.begin(), forecasts.end());
     return all;

@@ -11,7 +11,7 @@
 namespace phy::report {
 namespace {
 
-/// "E within 1.7 %, UCS within 3.7 %", of values with an answer.
+/// "E 1.7 %, UCS 3.7 %", of values with an answer.
 std::string largest_misses(const Calibration& c) {
   std::vector<std::string> items;
   for (int i = 0; i < n_properties; ++i) {
@@ -21,7 +21,7 @@ std::string largest_misses(const Calibration& c) {
       const Comparison& row = judged(c, fit);
       if (fit.target.property == p && row.answered()) most = std::max(most, std::fabs(miss(row)));
     }
-    if (most >= 0.0) items.push_back(fmt::format("{} within {}", to_string(p), miss_text(p, most)));
+    if (most >= 0.0) items.push_back(fmt::format("{} {}", to_string(p), miss_text(p, most)));
   }
   return list_text(items);
 }
@@ -42,6 +42,7 @@ std::string status_words(const Calibration& c) {
   switch (c.verdict.status) {
     case VerdictStatus::calibrated: return "Calibrated" + what + ".";
     case VerdictStatus::calibrated_except: return "Calibrated" + what + ", with exceptions.";
+    case VerdictStatus::not_calibrated: return "Not calibrated" + what + ".";
     case VerdictStatus::not_decided: return fmt::format("Not decided: {}.", why_open(c.verdict));
     case VerdictStatus::out_of_reach: return "Out of reach.";
     case VerdictStatus::interrupted: break;
@@ -65,7 +66,7 @@ std::string verdict_words(const Calibration& c) {
   if (!c.verification.empty()) text += " On packings that the fit has not seen:";
   text += " " + sentence(v.counts);
   if (v.status == VerdictStatus::calibrated || v.status == VerdictStatus::not_decided)
-    text += fmt::format(" The model has {} of the table.", largest_misses(c));
+    text += fmt::format(" Largest errors: {}.", largest_misses(c));
   return text;
 }
 

@@ -56,23 +56,26 @@ std::optional<Finding> scattered_packings(const View& v, Part part) {
                  Advice::smaller_grains};
 }
 
+/// What no rule explains, with what was ruled out: packings, the maps, a search that was too short.
 Finding farthest_value(const View& v, Part part) {
-  const JudgedCell* worst = nullptr;
-  for (const JudgedCell& c : v.cells)
-    if (measured(c.row.target.property).part == part && c.row.answered() &&
-        (worst == nullptr || std::fabs(c.scaled_miss()) > std::fabs(worst->scaled_miss())))
-      worst = &c;
+  const JudgedCell* worst = v.farthest(part);
   PHY_CHECK(worst != nullptr, "a part that misses has a value that was answered");
-  return {FindingKind::farthest_value,
-          {cell_of(worst->row.target)},
-          {{"model", worst->row.mean}, {"laboratory", worst->row.target.mean}},
-          {},
-          Advice::check_value};
+  Finding f{FindingKind::farthest_value,
+            {cell_of(worst->row.target)},
+            {{"model", worst->row.mean}, {"laboratory", worst->row.target.mean}},
+            {},
+            Advice::check_value};
+  if (search_can_help(v)) return f;  // which is the cause then
+  if (std::isfinite(worst->row.sd)) f.numbers.push_back({"packings", worst->row.sd});
+  if (const Finding* maps = v.in_maps(FindingKind::map_expected, worst->row.target))
+    f.numbers.insert(f.numbers.end(),
+                     {{"expected", maps->number("model")}, {"error", maps->number("error")}});
+  return f;
 }
 
 Finding cause_of(const View& v, Part part) {
   static const std::map<Part, std::vector<CauseRule*>> rules = {
-      {Part::moduli, {nu_of_no_body, stiffening, moduli_scaled, modulus_ratio}},
+      {Part::moduli, {nu_of_no_body, finer_grains, stiffening, moduli_scaled, modulus_ratio}},
       {Part::compression, {weakest_angle, ucs_ratio}},
       {Part::tension, {tension_ratio}},
       {Part::initiation, {initiation_ratio}},
@@ -81,6 +84,7 @@ Finding cause_of(const View& v, Part part) {
   for (CauseRule* rule : rules.at(part))
     if (const auto cause = rule(v)) return *cause;
   if (const auto cause = scattered_packings(v, part)) return *cause;
+  if (const auto cause = expected_in_maps(v, part)) return *cause;
   return farthest_value(v, part);
 }
 
@@ -127,7 +131,8 @@ std::optional<Finding> gap_in_ucs(const View& v) {
 }
 
 /// Of a search without all points of a usual one.
-std::optional<Finding> search_short(const Calibration& c) {
+std::optional<Finding> search_short(const View& v) {
+  const Calibration& c = v.of;
   if (!c.shortage.any()) return {};
   return Finding{
       FindingKind::search_short,
@@ -139,7 +144,7 @@ std::optional<Finding> search_short(const Calibration& c) {
        {"foreseen", c.shortage.foreseen ? 1.0 : 0.0},
        {"more", static_cast<double>(c.shortage.tests) * static_cast<double>(c.discarded.size() + 1)}},
       {},
-      Advice::longer_search};
+      search_can_help(v) ? Advice::longer_search : Advice::none};
 }
 
 /// The step that an advice of a finding is.
@@ -150,9 +155,8 @@ Finding step(Advice advice) { return {FindingKind::next_step, {}, {}, {}, advice
 
 /// What remains open of a model that meets its table, and which test would close most of it.
 void explain_met(const View& v, Verdict& verdict) {
-  const auto gap = gap_in_ucs(v), cut = search_short(v.of);
-  for (const auto& cause : {gap, cut})
-    if (cause) verdict.causes.push_back(*cause);
+  const auto gap = gap_in_ucs(v);
+  if (gap) verdict.causes.push_back(*gap);
   verdict.next = v.moduli_alone() ? step(Advice::calibrate_strengths) : gap ? step(*gap) : step(Advice::none);
   for (const ParameterEstimate& e : v.of.parameters)
     if (e.open() && e.next.remedy != Remedy::none) {
@@ -161,10 +165,31 @@ void explain_met(const View& v, Verdict& verdict) {
     }
 }
 
+/// The causes of these parts, two at most.
+void add_causes(const View& v, const std::vector<Part>& parts, std::vector<Finding>& causes) {
+  for (const Part part : parts) {
+    if (causes.size() == most_causes) break;
+    causes.push_back(cause_of(v, part));
+    causes.back().numbers.push_back({"share", v.share(part)});
+    causes.back().names = properties_of(v, part);
+  }
+}
+
+/// Is a value of it off by more than matters, whether or not chance explains that?
+bool is_far_off(const View& v, Part part) {
+  return std::any_of(v.cells.begin(), v.cells.end(), [&](const JudgedCell& c) {
+    const Property p = c.row.target.property;
+    return measured(p).part == part && c.row.answered() && std::fabs(miss_of(c.row)) > coarsest(p);
+  });
+}
+
 /// A table that leaves values open: state the scatter; else more specimens, unless packings alone hide every
-/// answer.
+/// answer. Why a value is far off is said all the same.
 void explain_open(const View& v, Verdict& verdict) {
-  if (const auto cut = search_short(v.of)) verdict.causes.push_back(*cut);
+  std::vector<Part> parts = ranked(v);
+  std::erase_if(parts, [&](Part part) { return !is_far_off(v, part); });
+  add_causes(v, parts, verdict.causes);
+  if (search_can_help(v)) verdict.causes.push_back(*search_short(v));
   if (const Finding* unstated = first_of(verdict.findings, FindingKind::scatter_unstated)) {
     verdict.next = step(*unstated);
     return;
@@ -184,21 +209,14 @@ void explain_missed(const View& v, Verdict& verdict) {
   if (std::vector<Cell> cells = unanswered_cells(v); !cells.empty())
     causes.push_back({FindingKind::unanswered, std::move(cells), {}, {}, Advice::see_findings});
   const std::vector<Part> parts = ranked(v);
-  for (const Part part : parts) {
-    if (causes.size() == most_causes) break;
-    causes.push_back(cause_of(v, part));
-    causes.back().numbers.push_back({"share", v.share(part)});
-    causes.back().names = properties_of(v, part);
-  }
+  add_causes(v, parts, causes);
   verdict.next = causes.empty() ? step(Advice::see_findings) : step(causes.front());
   if (verdict.status == VerdictStatus::out_of_reach && v.of.rival && is_retreat(verdict.next.advice))
     verdict.next = step(*v.of.rival);
-  if (const auto cut = search_short(v.of)) {
-    causes.push_back(*cut);
-    // which no search changes, nor what was foreseen
-    const bool as_foreseen = v.of.shortage.foreseen && verdict.status == VerdictStatus::out_of_reach;
-    if (!as_foreseen && (parts.empty() || parts.front() != Part::moduli)) verdict.next = step(*cut);
-  }
+  if (!search_can_help(v)) return;
+  causes.push_back(*search_short(v));
+  if (parts.empty() || parts.front() != Part::moduli)
+    verdict.next = step(causes.back());  // no search of these
 }
 
 }  // namespace
@@ -213,9 +231,12 @@ void explain(Calibration& c) {
     case VerdictStatus::calibrated: explain_met(view, verdict); break;
     case VerdictStatus::not_decided: explain_open(view, verdict); break;
     case VerdictStatus::calibrated_except:
+    case VerdictStatus::not_calibrated:
     case VerdictStatus::out_of_reach: explain_missed(view, verdict); break;
   }
   c.verdict = std::move(verdict);
+  // what a longer search would take is worth a note where it is no cause
+  if (const auto cut = search_short(view); cut && cut->advice == Advice::none) c.notes.push_back(*cut);
 }
 
 }  // namespace phy::verdict

@@ -39,6 +39,12 @@ std::optional<Finding> nu_of_no_body(const View& v) {
       FindingKind::nu_of_no_body, {}, {{"nu", nu->laboratory}, {"E", E->laboratory}}, {}, Advice::check_nu};
 }
 
+/// What was tried: nu on grains half as large (calibrate/finer_grains.hpp).
+std::optional<Finding> finer_grains(const View& v) {
+  const Finding* found = first_of(v.of.reach, FindingKind::grains_for_nu);
+  return found != nullptr ? std::optional(*found) : std::nullopt;
+}
+
 /// What confinement makes of E: in rock it closes cracks as well; bonds are as stiff under any stress.
 std::optional<Finding> stiffening(const View& v) {
   Stiffening s;

@@ -68,29 +68,43 @@ struct Ratios {
   }
 };
 
-std::optional<Finding> ratio_to(Property p, const View& v) {
-  Ratios ratios;
-  double farthest = 0.0;
-  Cell where;
-  bool all_too_low = true, certain = false;  // certain: more specimens would not bring the farthest nearer
-  for (const Comparison& t : v.answered(p)) {
-    const Comparison* u = v.at(Property::ucs, t.target.theta);
-    if (u == nullptr) continue;
-    const double off = ratios.add(u->target.mean / t.target.mean, u->mean / t.mean);
-    const double error = std::hypot(std::hypot(error_of_laboratory(t), error_of_laboratory(*u)),
-                                    std::hypot(error_of_model(t), error_of_model(*u)));
-    if (std::fabs(off) > farthest)
-      farthest = std::fabs(off), where = cell_of(t.target), certain = farthest > z_99 * error;
-    all_too_low = all_too_low && off > std::max(least_change, z_one_sided_95 * error);
+/// UCS over a tension where no specimen of the model has that of the table, beyond its error: it says what
+/// the model cannot have at once, not which of both is off.
+struct RatioBeyond {
+  const Comparison *tension, *ucs;
+  const Finding* in_maps;
+  double beyond;  ///< logarithm
+};
+
+std::optional<RatioBeyond> farthest_beyond(Property p, const View& v) {
+  std::optional<RatioBeyond> worst;
+  for (const JudgedCell& c : v.cells) {
+    if (c.row.target.property != p || !c.row.answered()) continue;
+    const Comparison* u = v.at(Property::ucs, c.row.target.theta);
+    const Finding* in_maps = v.in_maps(FindingKind::map_ratio, c.row.target);
+    if (u == nullptr || in_maps == nullptr) continue;
+    const double ratio = in_maps->number("laboratory"),
+                 off = std::log(std::max(ratio / in_maps->number("high"), in_maps->number("low") / ratio)),
+                 error = std::hypot(error_of_laboratory(c.row), error_of_laboratory(*u));
+    if (off > z_one_sided_95 * error && (!worst || off > worst->beyond)) worst = {&c.row, u, in_maps, off};
   }
-  if (!ratios.differ()) return {};
-  return Finding{all_too_low ? FindingKind::tension_too_strong : FindingKind::tension_ratio,
-                 {where},
-                 ratios.numbers(),
+  return worst;
+}
+
+std::optional<Finding> ratio_beyond(Property p, const View& v) {
+  const auto worst = farthest_beyond(p, v);
+  if (!worst) return {};
+  const Finding& maps = *worst->in_maps;
+  return Finding{FindingKind::tension_ratio,
+                 {cell_of(worst->tension->target)},
+                 {{"laboratory", maps.number("laboratory")},
+                  {"low", maps.number("low")},
+                  {"high", maps.number("high")},
+                  {"ucs", worst->ucs->error()},
+                  {"tension", worst->tension->error()}},
                  {},
-                 all_too_low && may_ask_for_flat_joints(v) ? Advice::flat_joints
-                 : all_too_low || certain                  ? Advice::leave_out_tension
-                                                           : Advice::more_specimens};
+                 maps.number("flat_joints") > 0.0 && may_ask_for_flat_joints(v) ? Advice::flat_joints
+                                                                                : Advice::leave_out_tension};
 }
 
 }  // namespace
@@ -126,8 +140,49 @@ std::optional<Finding> ucs_ratio(const View& v) {
 std::optional<Finding> tension_ratio(const View& v) {
   // Brazilian strength first: of the tests that a table holds it is the most frequent one
   for (const Property p : {Property::brazilian, Property::direct_tension, Property::point_load})
-    if (const auto cause = ratio_to(p, v)) return cause;
+    if (const auto cause = ratio_beyond(p, v)) return cause;
   return {};
+}
+
+std::optional<Finding> expected_in_maps(const View& v, Part part) {
+  const JudgedCell* worst = v.farthest(part);
+  if (worst == nullptr) return {};
+  const Comparison& row = worst->row;
+  const Finding* maps = v.in_maps(FindingKind::map_expected, row.target);
+  if (maps == nullptr || !is_strength(row.target.property)) return {};
+  // half of the miss or more, to the same side, and more than the maps' quadratics are off by
+  const double missed = std::log(row.mean / row.target.mean),
+               expected = std::log(maps->number("model") / row.target.mean);
+  if (expected / missed < 0.5 || std::fabs(expected) < maps->number("error")) return {};
+  return Finding{FindingKind::expected_in_maps,
+                 {cell_of(row.target)},
+                 {{"model", row.mean},
+                  {"laboratory", row.target.mean},
+                  {"expected", maps->number("model")},
+                  {"error", maps->number("error")}},
+                 {},
+                 is_tensile(row.target.property) ? Advice::leave_out_tension : advice_on_ucs(v, true, true)};
+}
+
+bool search_can_help(const View& v) {
+  constexpr double times_nearer = 1.1;  // as other models are compared (maps/placing.hpp)
+  if (!v.of.shortage.any() || v.of.shortage.settled ||
+      first_of(v.of.reach, FindingKind::forecast_out_of_reach) != nullptr)
+    return false;
+  double missed = 0.0, expected = 0.0;
+  bool beyond = false, mapped = false;
+  for (const JudgedCell& c : v.cells) {
+    const Property p = c.row.target.property;
+    if (!is_strength(p)) continue;
+    if (!c.row.answered()) return true;
+    beyond = beyond || std::fabs(miss_of(c.row)) > tolerance(p);
+    const Finding* maps = v.in_maps(FindingKind::map_expected, c.row.target);
+    if (maps == nullptr) continue;
+    mapped = true;
+    missed += std::pow(miss_of(c.row) / tolerance(p), 2.0);
+    expected += std::pow((maps->number("model") / c.row.target.mean - 1.0) / tolerance(p), 2.0);
+  }
+  return beyond && (!mapped || times_nearer * std::sqrt(expected) < std::sqrt(missed));
 }
 
 /// sigma_ci over UCS. Slits of flat joints lower it; so does a low tau_c, which other strengths decide.

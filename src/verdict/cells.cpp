@@ -12,6 +12,8 @@ namespace {
 
 constexpr double level = 0.05;
 constexpr double enough_met = 0.9;  // of the values
+// As many values are exceptions; beyond, the table as a whole is not met.
+constexpr double most_exceptions = 1.0 / 3.0, met_beside_exceptions = 0.5;
 /// Of the 5 %, where a table has both: else fourteen moduli would hide a miss among seven strengths, on which
 /// every prediction of failure rests. Misses that matter are three to five tolerances in moduli, 2.5 in UCS.
 constexpr double share_of_moduli = 0.2;
@@ -141,14 +143,16 @@ std::vector<JudgedCell> judge_cells(const std::vector<Comparison>& rows) {
 }
 
 VerdictStatus status_of(const std::vector<JudgedCell>& cells) {
-  std::size_t met = 0;
-  for (const JudgedCell& c : cells) {
-    if (c.outcome == Outcome::missed) return VerdictStatus::calibrated_except;
-    met += c.outcome == Outcome::met ? 1U : 0U;
-  }
-  return static_cast<double>(met) < enough_met * static_cast<double>(cells.size())
-             ? VerdictStatus::not_decided
-             : VerdictStatus::calibrated;
+  const auto share = [&](Outcome outcome) {
+    return static_cast<double>(std::count_if(cells.begin(), cells.end(),
+                                             [&](const JudgedCell& c) { return c.outcome == outcome; })) /
+           static_cast<double>(cells.size());
+  };
+  const double met = share(Outcome::met), missed = share(Outcome::missed);
+  if (missed > 0.0)
+    return missed <= most_exceptions && met >= met_beside_exceptions ? VerdictStatus::calibrated_except
+                                                                     : VerdictStatus::not_calibrated;
+  return met < enough_met ? VerdictStatus::not_decided : VerdictStatus::calibrated;
 }
 
 std::optional<int> specimens_missing(const JudgedCell& c) {

@@ -46,7 +46,9 @@ struct JudgedCell {
 /// In the order of the rows.
 std::vector<JudgedCell> judge_cells(const std::vector<Comparison>& rows);
 
-/// Calibrated: none is missed and nine of ten are met. Not decided: none is missed, but too many are open.
+/// Calibrated: none is missed and nine of ten are met. With exceptions: a third is missed at most, and half
+/// are met or more. Not calibrated: more are missed, or fewer met. Not decided: none is missed, but too many
+/// are open. Values that chance would flag need no share of their own: Holm's step-down flags none of them.
 VerdictStatus status_of(const std::vector<JudgedCell>& cells);
 
 /// Specimens more with which this difference would be met; nothing: no number below a hundred.

@@ -52,6 +52,25 @@ TEST(Cells, ModuliDoNotHideAStrength) {
   EXPECT_NE(outcome_of(rows), Outcome::missed);
 }
 
+// A third may be missed while half are met; beyond, the table is not met, whatever the rest.
+TEST(Cells, ExceptionsAreFew) {
+  const auto status = [](int met, int missed, int open) {
+    std::vector<JudgedCell> cells;
+    const auto add = [&](int n, Outcome outcome) {
+      for (int i = 0; i < n; ++i) cells.push_back({row(0.0), outcome});
+    };
+    add(met, Outcome::met), add(missed, Outcome::missed), add(open, Outcome::open);
+    return status_of(cells);
+  };
+  EXPECT_EQ(status(9, 0, 1), VerdictStatus::calibrated);
+  EXPECT_EQ(status(8, 0, 2), VerdictStatus::not_decided);
+  EXPECT_EQ(status(2, 1, 0), VerdictStatus::calibrated_except);
+  EXPECT_EQ(status(6, 1, 0), VerdictStatus::calibrated_except);
+  EXPECT_EQ(status(3, 2, 0), VerdictStatus::not_calibrated);
+  EXPECT_EQ(status(1, 1, 3), VerdictStatus::not_calibrated);
+  EXPECT_EQ(status(1, 4, 0), VerdictStatus::not_calibrated);
+}
+
 TEST(Cells, SpecimensThatAreMissing) {
   // one specimen of 10 %: 16.4 %; of two 11.6 %
   EXPECT_EQ(specimens_missing(judge_cells({row(0.0, 10e6, 1)}).front()), 1);

@@ -2,8 +2,9 @@
 //
 // All values are judged together (cells.hpp). Calibrated: none is missed and nine of ten are met. Not
 // decided: none is missed, but too many are open; the findings say how many specimens would change that.
-// Calibrated except: some are missed. Out of reach: an E is missed by more than 6 %, in the fit as well; or
-// the strengths together by more than 10 % and twice what chance explains; or something has no answer at all.
+// Calibrated except: a few are missed. Not calibrated: more than a few. Out of reach: an E is missed by more
+// than 6 %, in the fit as well; or the strengths together by more than 10 % and twice what chance explains;
+// or something has no answer at all.
 #pragma once
 #include <optional>
 #include <vector>

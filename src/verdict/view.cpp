@@ -53,6 +53,22 @@ const Comparison* View::at(Property p, double theta) const {
   return nullptr;
 }
 
+const Finding* View::in_maps(FindingKind kind, const Target& t) const {
+  const auto it = std::find_if(of.reach.begin(), of.reach.end(), [&](const Finding& f) {
+    return f.kind == kind && f.cells.front() == cell_of(t);
+  });
+  return it != of.reach.end() ? &*it : nullptr;
+}
+
+const JudgedCell* View::farthest(Part part) const {
+  const JudgedCell* worst = nullptr;
+  for (const JudgedCell& c : cells)
+    if (measured(c.row.target.property).part == part && c.row.answered() &&
+        (worst == nullptr || std::fabs(c.scaled_miss()) > std::fabs(worst->scaled_miss())))
+      worst = &c;
+  return worst;
+}
+
 bool View::moduli_alone() const {
   return std::none_of(cells.begin(), cells.end(),
                       [](const JudgedCell& c) { return is_strength(c.row.target.property); });
