@@ -31,7 +31,7 @@ void print_table(const Evidence& evidence, const std::string& file, int width) {
   if (!doubts.empty()) print_out("\n");
   print_wrapped(width, 10, "rock      {} ({})\n", evidence.rock.name, file);
   print_notes(evidence.rock.notes, width);
-  print_out("\n{}\n", report::target_table(evidence.targets, width));
+  print_out("\n{}\n", report::target_table(evidence.targets, evidence.rock.bedded, width));
   flush_out();
 }
 
@@ -73,7 +73,8 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
   flush_out();
   job.finish();
-  return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
+  const VerdictStatus status = result.verdict.status;
+  return status == VerdictStatus::out_of_reach || status == VerdictStatus::not_calibrated ? 1 : 0;
 }
 
 void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::CalibrationRequest& args) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -85,6 +86,11 @@ void add_doubts(const RockCheck& check, std::vector<Finding>& lines) {
     lines.push_back({Kind::more_doubts, {}, {{"doubts", static_cast<double>(check.doubts.size() - n)}}});
 }
 
+/// A limit that a better model or another table would take away before anything runs.
+bool to_be_known_first(const Finding& limit) {
+  return limit.kind == Kind::few_grains_between || limit.kind == Kind::stiffer_under_confinement;
+}
+
 /// Tests, time and models of the calibration; nothing can be fitted of some tables.
 void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines) {
   try {
@@ -120,9 +126,11 @@ std::vector<Finding> summary_of(const RockCheck& check, int threads) {
                        {{"with_nu", check.evidence.has(Property::nu) ? 1.0 : 0.0}}});
       break;
     }
+  std::ranges::copy_if(check.limits, std::back_inserter(lines), to_be_known_first);
   if (check.neighbour) lines.push_back(*check.neighbour);
   if (!check.parameters.empty()) lines.push_back(open_parameters(check.parameters));
   lines.push_back(check.forecast.empty() ? Finding{Kind::forecast_none} : check.forecast.front());
+  if (const Finding* left_out = first_of(check.forecast, Kind::forecast_unmapped)) lines.push_back(*left_out);
   add_course(check, threads, lines);
   return lines;
 }
@@ -137,16 +145,21 @@ std::string rock_check(const Rock& read, const std::string& path, int width, int
   items(rock.notes, "");  // how the files were understood
   items(report::sentences(summary_of(found, threads)), "");
   if (!all) return text;
-  text += "\n" + report::target_table(found.evidence.targets, width) + "\n";
+  text += "\n" + report::target_table(found.evidence.targets, rock.bedded, width) + "\n";
   if (found.doubts.size() > most_doubts)
     items(report::sentences({found.doubts.begin() + most_doubts, found.doubts.end()}), "- ");
   items(report::sentences(found.statements), "- ");
   text += "\n" + report::identifiability_table(found.parameters, width);
   items(found.models, "- ");
-  items(report::sentences(found.limits), "- ");
+  std::vector<Finding> limits = found.limits;  // beside what the summary says of them
+  std::erase_if(limits, to_be_known_first);
+  items(report::sentences(limits), "- ");
   items(found.in_maps, "- ");
-  if (found.forecast.size() > 1)
-    items(report::sentences({found.forecast.begin() + 1, found.forecast.end()}), "- ");
+  std::vector<Finding> grounds = found.forecast;  // beside what the summary says of it
+  std::erase_if(grounds, [&](const Finding& f) {
+    return f.kind == found.forecast.front().kind || f.kind == Kind::forecast_unmapped;
+  });
+  items(report::sentences(grounds), "- ");
   return text;
 }
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* folder = "data/rocks/";
 constexpr std::size_t fewest_angles = 3;  // two have no shape beside their ratio
+constexpr double farthest = 0.25;         // of curves over their means; beyond it a rock is no neighbour
 constexpr Property compared[] = {Property::ucs, Property::E, Property::brazilian};
 
 std::string path_of(const std::string& name, const char* file) { return folder + name + "/" + file; }
@@ -153,21 +154,28 @@ rock::Start start_like(const std::string& name) {
 
 std::optional<Finding> nearest_rock(const std::vector<Target>& table) {
   Finding found{FindingKind::nearest_rock};
+  std::vector<std::string> same;
+  bool any = false;  // was compared
   for (const Property p : compared) {
     const Curve curve = curve_of(table, p);
     if (curve.size() < fewest_angles) continue;
     const BaseTable* nearest = nullptr;
-    double least = HUGE_VAL;
+    double least = farthest;
     for (const BaseTable& other : base_tables()) {
       const Curve base = curve_of(other.targets, p);
-      if (const double d = difference(curve, base); base != curve && d < least) least = d, nearest = &other;
+      if (base == curve && std::ranges::find(same, other.title) == same.end()) same.push_back(other.title);
+      const double d = difference(curve, base);
+      any = any || !std::isnan(d);
+      if (base != curve && d < least) least = d, nearest = &other;
     }
     if (nearest == nullptr) continue;
     found.cells.push_back({p, nan});
     found.numbers.push_back({"difference", least});
     found.names.insert(found.names.end(), {nearest->title, nearest->name});
   }
-  return found.cells.empty() ? std::nullopt : std::optional(found);
+  found.numbers.push_back({"farthest", farthest});
+  found.names.insert(found.names.end(), same.begin(), same.end());
+  return any ? std::optional(found) : std::nullopt;
 }
 
 }  // namespace phy::jobs

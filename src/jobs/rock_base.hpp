@@ -29,8 +29,8 @@ std::vector<BaseFile> base_files(const std::string& name);
 rock::Start start_like(const std::string& name);
 
 /// By E, UCS and BTS each the rock with the most similar curve over the angles, UCS first: the root mean
-/// square difference of both, each over its mean, at the angles of the table. A rock with the very same
-/// values is no neighbour: it is the rock itself. Nothing where no curve can be compared.
+/// square difference of both, each over its mean, at the angles of the table, below a quarter. A rock with
+/// the very same values is no neighbour but named for that. Nothing where no curve can be compared.
 std::optional<Finding> nearest_rock(const std::vector<Target>& table);
 
 }  // namespace phy::jobs

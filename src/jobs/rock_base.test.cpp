@@ -58,7 +58,17 @@ TEST(RockBase, TheNeighbourHasTheShapeOfTheCurve) {
   const auto itself = nearest_rock(scaled("boryeong-shale", Property::ucs, 1.0));
   ASSERT_TRUE(itself);
   EXPECT_NE(itself->names[1], "boryeong-shale");
+  EXPECT_EQ(itself->names.back(), "Boryeong shale") << "whose values these are";
   EXPECT_GT(itself->number("difference"), 0.01);
+}
+
+TEST(RockBase, ARockFarFromAllHasNoNeighbour) {
+  std::vector<Target> table = scaled("boryeong-shale", Property::ucs, 1.0);
+  for (std::size_t i = 0; i < table.size(); ++i) table[i].mean = i % 2 == 0 ? 10e6 : 100e6;
+  const auto found = nearest_rock(table);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->cells.empty());
+  EXPECT_TRUE(found->names.empty());
 }
 
 // One value raised by 7 %: every other one falls in the mean.

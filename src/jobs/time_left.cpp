@@ -152,6 +152,7 @@ std::string TimeLeft::place_text() const {
   const Place p = place();
   const std::string model =
       p.models > 1 && p.model > 0 ? fmt::format("model {} of at most {}, ", p.model, p.models) : "";
+  if (p.most <= 1) return model + "the only stage";
   return model +
          fmt::format("stage {} of {}", p.stage,
                      report::range_text(static_cast<double>(p.least), static_cast<double>(p.most), "{:.0f}"));

@@ -121,5 +121,17 @@ TEST(TimeLeft, StagesAndModelsAreCounted) {
   EXPECT_EQ(clock.place().stage, 3U);
 }
 
+TEST(TimeLeft, OneStageIsNotCounted) {
+  Outlook one;
+  one.stages = {{FindingKind::course_moduli, true, 1e9}, {FindingKind::course_moduli_unseen, true, 1e9}};
+  TimeLeft two(true_speed), single(true_speed);
+  two.outlook(one, 0.0), two.begins(FindingKind::course_moduli, 0.0);
+  one.stages.pop_back();
+  single.outlook(one, 0.0), single.begins(FindingKind::course_moduli, 0.0);
+  EXPECT_NE(two.place_text(), single.place_text());
+  EXPECT_EQ(single.place().most, 1U);
+  EXPECT_EQ(single.place_text().find('1'), std::string::npos) << single.place_text();
+}
+
 }  // namespace
 }  // namespace phy::jobs

@@ -95,7 +95,7 @@ std::string text_of(const Support& support) {
 std::string text_of(const NextStep& next) {
   switch (next.remedy) {
     case Remedy::more_specimens: return "more specimens of " + names_of(next.tests);
-    case Remedy::meet_table: return "a table that the model can meet";
+    case Remedy::meet_table: return "none while the model misses the table";
     case Remedy::map_persistence: return "persistence of the planes as mapped on the rock (in a recipe)";
     default: return names_of(next.tests);
   }

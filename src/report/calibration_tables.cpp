@@ -45,15 +45,23 @@ std::vector<std::string> cells_of(const Comparison& row) {
                               : fmt::format("{:+.1f}", 100.0 * miss(row))};
 }
 
+/// Has the model layers? The angles of a rock without any are one, which says nothing.
+bool is_bedded(const Calibration& c) {
+  return layered(c.recipe.matrix, c.recipe.bedding) ||
+         std::any_of(c.fitted.begin(), c.fitted.end(),
+                     [](const Comparison& r) { return r.target.theta != 0.0; });
+}
+
 /// Of the table as it was read: an inclination and a stress on the sides; discs of another size have a line
 /// more.
 struct Line {
   double theta = 0.0, confining = 0.0;
   int more = 0;
   auto operator<=>(const Line&) const = default;
-  std::string name() const {
-    return fmt::format("{:g}", theta) +
-           (confining > 0.0 ? fmt::format(", {:.3g} MPa", confining * 1e-6) : "");
+  std::string name(bool bedded) const {
+    const std::string stress = confining > 0.0 ? fmt::format("{:.3g} MPa", confining * 1e-6) : "";
+    if (!bedded) return stress.empty() ? "none" : stress;
+    return fmt::format("{:g}", theta) + (stress.empty() ? "" : ", " + stress);
   }
 };
 
@@ -69,7 +77,7 @@ std::string error_cell(const Comparison* r) {
 
 }  // namespace
 
-std::string target_table(const std::vector<Target>& targets, int terminal_width) {
+std::string target_table(const std::vector<Target>& targets, bool bedded, int terminal_width) {
   std::map<Line, std::map<Property, const Target*>> lines;
   std::set<Property> properties;
   bool assumed = false, sizes = false;  // discs of sizes of their own
@@ -80,8 +88,8 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
     properties.insert(t.property);
     assumed = assumed || t.sd_assumed, sizes = sizes || t.diameter > 0.0;
   }
-  Column theta{"theta", "deg", {}};
-  for (const auto& [line, cells] : lines) theta.cells.push_back(line.name());
+  Column theta{bedded ? "theta" : "confinement", bedded ? "deg" : "", {}};
+  for (const auto& [line, cells] : lines) theta.cells.push_back(line.name(bedded));
   std::vector<Columns> groups;
   for (const Property p : properties) {
     Column value{to_string(p), unit_head(p), {}}, scatter{"+- SD", unit_head(p), {}}, n{"n", "", {}},
@@ -227,9 +235,10 @@ std::string angle_table(const Calibration& c, int terminal_width) {
   std::set<double> angles;
   for (const auto& cells : tests)
     for (const auto& [theta, row] : cells) angles.insert(theta);
-  Column label{"theta [deg]", "", {}, true};
+  Column label{is_bedded(c) ? "theta [deg]" : "", "", {}, true};
   std::vector<Columns> columns;
-  for (const double theta : angles) columns.push_back({{fmt::format("{:g}", theta), "", {}}});
+  for (const double theta : angles)
+    columns.push_back({{is_bedded(c) ? fmt::format("{:g}", theta) : "any direction", "", {}}});
   for (const std::map<double, Comparison>& cells : tests) {
     const Target& t = cells.begin()->second.target;
     const Property p = t.property;
@@ -269,7 +278,8 @@ std::string failure_table(const Calibration& c, int terminal_width) {
   });
   if (rows.empty()) return "";
   using R = const Comparison&;
-  Column test = column_of("how specimens fail", "", rows, [](R r) { return cell_name(r.target); });
+  Column test = column_of("how specimens fail", "", rows,
+                          [&](R r) { return is_bedded(c) ? cell_name(r.target) : test_name(r.target); });
   test.left = true;
   const Columns columns = {
       column_of("cracks along bedding", "%", rows,
@@ -297,9 +307,10 @@ std::string macro_table(const Calibration& c, int terminal_width) {
     return col;
   };
   using R = const Comparison&;
-  Column label = column("at theta [deg]", [](R r) {
+  Column label = column(is_bedded(c) ? "at theta [deg]" : "test", [&](R r) {
     const std::string unit = unit_head(r.target.property);
-    return fmt::format("{:<3} {:>4g}{}{}", to_string(r.target.property), r.target.theta,
+    return fmt::format("{:<3}{}{}{}", to_string(r.target.property),
+                       is_bedded(c) ? fmt::format(" {:>4g}", r.target.theta) : "",
                        unit.empty() ? "" : " [" + unit + "]", particulars(r.target));
   });
   label.left = true;

@@ -9,8 +9,9 @@
 
 namespace phy::report {
 
-/// The laboratory's table as it was understood: means, scatter, specimens, one row per angle.
-std::string target_table(const std::vector<Target>& targets, int terminal_width);
+/// The laboratory's table as it was understood: means, scatter, specimens, one row per angle, of rock
+/// without bedding one per stress on the sides.
+std::string target_table(const std::vector<Target>& targets, bool bedded, int terminal_width);
 
 /// What the data determine before anything has run (survey/identifiability.hpp).
 std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width);

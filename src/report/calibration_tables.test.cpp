@@ -65,7 +65,7 @@ TEST(TargetTable, ATestUnderAStressOnTheSidesHasALineOfItsOwn) {
                                  {Property::ucs, 45.0, 80e6, 4e6, 3},
                                  {Property::confined, 45.0, 120e6, 6e6, 3}};
   targets[1].confining = targets[3].confining = 10e6;
-  const std::string table = target_table(targets, 100);
+  const std::string table = target_table(targets, true, 100);
   const auto line = [&](const std::string& begin) {
     const std::size_t at = table.find(begin);
     EXPECT_NE(at, std::string::npos) << table;
@@ -74,6 +74,16 @@ TEST(TargetTable, ATestUnderAStressOnTheSidesHasALineOfItsOwn) {
   EXPECT_THAT(line("45, 10 MPa"), testing::AllOf(testing::HasSubstr(" 24 "), testing::HasSubstr(" 120 ")));
   EXPECT_THAT(line("45  "), testing::AllOf(testing::HasSubstr(" 20 "), testing::HasSubstr(" 80 "),
                                            testing::Not(testing::HasSubstr(" 120 "))));
+}
+
+TEST(TargetTable, RockWithoutBeddingHasNoAngle) {
+  const std::vector<Target> targets = {{Property::ucs, 0.0, 80e6, 4e6, 3}};
+  EXPECT_THAT(target_table(targets, true, 0), HasSubstr("theta"));
+  EXPECT_THAT(target_table(targets, false, 0), Not(HasSubstr("theta")));
+  Calibration c;
+  c.fitted = {ucs(0, 80e6, 1.0)};
+  for (const std::string& table : {macro_table(c, 0), angle_table(c, 0)})
+    EXPECT_THAT(table, Not(HasSubstr("theta")));
 }
 
 TEST(CalibrationTables, NeighboursAreOfTheSameTest) {
@@ -107,7 +117,7 @@ TEST(CalibrationTables, ToughnessHasItsOwnUnit) {
               testing::AllOf(HasSubstr("K_Ic [MPa sqrt(m)]   1.50"), HasSubstr("UCS [MPa]"),
                              Not(HasSubstr("not fitted")), HasSubstr("-20.0")));
   EXPECT_THAT(macro_table(c, 0), HasSubstr("K_Ic    0 [MPa sqrt(m)]"));
-  EXPECT_THAT(target_table({c.fitted.back().target}, 0), HasSubstr("MPa sqrt(m)"));
+  EXPECT_THAT(target_table({c.fitted.back().target}, true, 0), HasSubstr("MPa sqrt(m)"));
   EXPECT_THAT(error_table(c, 0), HasSubstr("20 %"));
   const auto j = nlohmann::json::parse(calibration_json(c, "1"));
   EXPECT_EQ(j["fitted"][3]["property"], "K_Ic");

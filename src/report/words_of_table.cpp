@@ -76,6 +76,20 @@ std::string unusual_tension(F f) {
   return say(f, "{}; most rocks have about 0.1.", values_of(f, "ratio", "Tension over UCS", ratio));
 }
 
+std::string unusual_point_load(F f) {
+  const auto ratio = [](const Cell&, double v) { return number_text(v); };
+  return say(f, "{}; hardly any rock has less than 8 or more than 50, many about 24 (Broch & Franklin 1972).",
+             values_of(f, "ratio", "UCS over I_s50", ratio));
+}
+
+/// A plane carries what it carried in a test of UCS, and no more than the rock itself.
+std::string unusual_shear(F f) {
+  const bool low = f.has("least");
+  return say(f, "{} is {}; by {} the bedding carries {} {} there.", name_of(f.cells[0]),
+             stress(f, "laboratory"), name_of(f.cells[1]), low ? "at least" : "at most",
+             stress(f, low ? "least" : "most"));
+}
+
 std::string strength_falls(F f) {
   return say(
       f,
@@ -297,9 +311,17 @@ std::string no_planes(F f) {
 std::string stiffer(F f) {
   return say(
       f,
-      "E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains that do not crack "
+      "E{} changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confinement. Bonded grains that do not crack "
       "before E is read hardly change: 2 % up to 20 MPa. The model may lie between.",
-      100.0 * f.number("change"), in_MPa(f.cells[0].confining), in_MPa(f.cells[1].confining));
+      angle_of(f.cells[0]), 100.0 * f.number("change"), in_MPa(f.cells[0].confining),
+      in_MPa(f.cells[1].confining));
+}
+
+std::string few_grains_between(F f) {
+  return say(f,
+             "{:.1f} grains lie between two planes ({:.3g} mm apart): fewer than {:g} blur the layers. With "
+             "grain_size = \"{:.3g} mm\" there are enough.",
+             f.number("grains"), f.number("spacing") * 1e3, f.number("fewest"), f.number("wanted") * 1e3);
 }
 
 std::string coarse_half_disc(F f) {
@@ -314,6 +336,8 @@ const std::vector<Wording> doubts = {
     {Kind::unusual_value, unusual_value},
     {Kind::unusual_modulus_ratio, modulus_ratio},
     {Kind::unusual_tension, unusual_tension},
+    {Kind::unusual_point_load, unusual_point_load},
+    {Kind::unusual_shear, unusual_shear},
     {Kind::strength_falls, strength_falls},
     {Kind::off_envelope, off_envelope},
     {Kind::narrow_angles, narrow_angles},
@@ -369,6 +393,7 @@ const std::vector<Wording> limits = {
     {Kind::one_cell_of_no_body, no_layered_body},
     {Kind::no_planes_in_isotropic_rock, no_planes},
     {Kind::stiffer_under_confinement, stiffer},
+    {Kind::few_grains_between, few_grains_between},
     {Kind::coarse_half_disc, coarse_half_disc},
 };
 
@@ -395,15 +420,20 @@ std::string advice_of_table(Advice advice, F of) {
 
 namespace {
 
-/// By each property the measured rock with the most similar curve.
+/// By each property the measured rock with the most similar curve; before that, whose values these are.
 std::string nearest_rock(F f) {
   const std::vector<double> differences = each(f, "difference");
+  const std::vector<std::string> same(f.names.begin() + 2 * std::ssize(f.cells), f.names.end());
+  std::string text = same.empty() ? "" : fmt::format("These are values of {}. ", list_text(same));
+  if (f.cells.empty())
+    return text + fmt::format("No measured rock is near: the curves differ by {:.0f} % or more.",
+                              100.0 * f.number("farthest"));
   std::vector<std::string> items;
   for (std::size_t i = 0; i < f.cells.size(); ++i)
     items.push_back(fmt::format("{} by {} (the curves differ by {:.0f} %)", f.names[2 * i],
                                 to_string(f.cells[i].property), 100.0 * differences[i]));
-  return fmt::format("Nearest of the measured rocks: {}. See: phyllite rocks {}.", list_text(items),
-                     f.names[1]);
+  return text + fmt::format("Nearest of the {} rocks: {}. See: phyllite rocks {}.",
+                            same.empty() ? "measured" : "other measured", list_text(items), f.names[1]);
 }
 
 const std::vector<Wording>& words_in_short() {

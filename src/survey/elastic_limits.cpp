@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "base/nan.hpp"
 #include "maps/layered_table.hpp"
@@ -92,14 +94,20 @@ std::vector<Finding> elastic_limits(const std::vector<Target>& targets) {
 }
 
 std::vector<Finding> confinement_limits(const std::vector<Target>& targets, ModulusReading reading) {
-  const auto change = change_under_confinement(targets, reading);
-  if (!change) return {};
-  const std::vector<Target> E = of_property(targets, Property::E);  // by stress
-  Finding f{
-      FindingKind::stiffer_under_confinement, {cell_of(E.front()), cell_of(E.back())}, {{"change", *change}}};
-  for (Cell& c : f.cells) c.theta = nan;  // a rock without layers
-  f.advice = Advice::one_confinement;
-  return {f};
+  // of the angles that were tested under more than one stress, the one where E changes most
+  std::map<double, std::vector<Target>> by_angle;
+  for (const Target& t : of_property(targets, Property::E)) by_angle[t.theta].push_back(t);
+  std::optional<Finding> most;
+  for (const auto& [theta, E] : by_angle) {  // by stress
+    const auto change = change_under_confinement(E, reading);
+    if (!change || (most && std::fabs(*change) <= std::fabs(most->number("change")))) continue;
+    most = Finding{FindingKind::stiffer_under_confinement,
+                   {cell_of(E.front()), cell_of(E.back())},
+                   {{"change", *change}},
+                   {},
+                   Advice::one_confinement};
+  }
+  return most ? std::vector{*most} : std::vector<Finding>();
 }
 
 }  // namespace phy::survey

@@ -12,7 +12,7 @@ namespace phy::survey {
 /// these want; where there is none, the farthest from the nearest body.
 std::vector<Finding> elastic_limits(const std::vector<Target>& targets);
 
-/// What the E of a rock without layers, read before its peak, cannot be: other under another confining
+/// What E read before the peak cannot be: other under another confining
 /// stress, for bonds are as stiff under any (docs/theory/calibration.md). Empty: nothing of the kind.
 std::vector<Finding> confinement_limits(const std::vector<Target>& targets, ModulusReading reading);
 

@@ -130,6 +130,11 @@ TEST(ConfinementLimit, NamesAChangeThatBondsDoNotHave) {
       << "within what E may miss";
   EXPECT_THAT(confinement_limits(table(1.2), ModulusReading::secant_at_peak), IsEmpty())
       << "cracks have a say there";
+  std::vector<Target> bedded = table(1.1);  // and, at 90 degrees, a table that grows by more
+  for (Target t : table(1.3)) t.theta = 90.0, bedded.push_back(t);
+  ASSERT_EQ(confinement_limits(bedded, ModulusReading::tangent_50).size(), 1U);
+  EXPECT_EQ(confinement_limits(bedded, ModulusReading::tangent_50)[0].cells.at(1),
+            (Cell{Property::E, 90.0, 20e6}));
   std::vector<Target> coarse = table(1.2);
   for (Target& t : coarse) t.sd *= 10.0;
   EXPECT_THAT(confinement_limits(coarse, ModulusReading::tangent_50), IsEmpty()) << "chance";

@@ -7,6 +7,21 @@
 namespace phy::survey {
 namespace {
 
+TEST(GrainsBetweenPlanes, TooFewAreNamedWithTheSizeThatWouldDo) {
+  Rock rock;
+  rock.readings = {reading(Property::E, 0.0, 20e9)};
+  rock.model.bedding.resize(1), rock.model.bedding[0].spacing = 4e-3;
+  rock.model.packing.radius_min = rock.model.packing.radius_max = 0.6e-3;
+  EXPECT_TRUE(few_grains_between(Evidence(rock)).empty());
+  rock.model.bedding[0].spacing = 3e-3;
+  const std::vector<Finding> found = few_grains_between(Evidence(rock));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].number("grains"), 2.5, 1e-9);
+  EXPECT_NEAR(found[0].number("wanted"), 1e-3, 1e-9);
+  rock.model.bedding.clear();
+  EXPECT_TRUE(few_grains_between(Evidence(rock)).empty());
+}
+
 // A radius of 19 mm holds 28 grains of 0.665 mm, and 12 of 1.5 mm.
 TEST(HalfDiscs, OfFewGrainsInTheRadiusAreNamedOnce) {
   Rock rock;

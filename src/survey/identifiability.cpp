@@ -163,10 +163,9 @@ std::vector<Finding> limits_of_table(const Evidence& evidence) {
     append(found, coarse_half_discs(evidence));
   else
     found.push_back({FindingKind::no_compression});
-  if (!evidence.rock.bedded) {
-    append(found, confinement_limits(evidence.targets, E_is));
-    return found;
-  }
+  append(found, cells_in(evidence.rock, confinement_limits(evidence.targets, E_is)));
+  if (!evidence.rock.bedded) return found;
+  append(found, few_grains_between(evidence));
   for (Finding f : elastic_limits(evidence.targets)) {
     // on the way to its strength a rock need not be an elastic body
     if (E_is != ModulusReading::small_strain) f.names = {to_string(E_is)};

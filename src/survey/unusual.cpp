@@ -26,6 +26,12 @@ constexpr Usual usual_values[] = {
 };
 constexpr double least_ratio = 80.0, most_ratio = 2000.0;  // E/UCS; 200 to 500: medium (Deere & Miller 1966)
 constexpr double most_tension = 0.5;                       // of UCS; a tenth is usual
+// UCS over I_s(50): 24 of hard rock (Broch & Franklin 1972), 14 of soft rock (Agustawijaya 2007, Civil Eng.
+// Dimension 9:9-14); the limits are there for units and columns.
+constexpr double least_over_point_load = 8.0, most_over_point_load = 50.0;
+// Of a plane in rock: friction at 56 degrees, a cohesion of half of UCS (Coulomb's, without friction).
+constexpr double most_friction = 1.5, most_cohesion = 0.5;
+constexpr double least_of_bedding = 0.7;  // of what it carried in a test of UCS; specimens scatter
 constexpr double replicates_factor = 1.5;
 constexpr double least_range_of_angles = 20.0;                 // [deg]
 constexpr double most_scatter = 0.5;                           // SD over the value; a tenth is usual
@@ -69,6 +75,49 @@ void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, Findings
   }
   for (Finding& f : {std::ref(moduli), std::ref(tension)})
     if (!f.cells.empty()) found.push_back(std::move(f));
+}
+
+/// UCS over the point load index at the same angle.
+void doubt_point_load(const Rock& rock, const std::vector<Target>& targets, Findings& found) {
+  Finding f{FindingKind::unusual_point_load};
+  f.advice = Advice::check_unit_and_column;
+  for (const Target& t : of_property(targets, Property::point_load)) {
+    const Target* ucs = find_at(targets, Property::ucs, t.theta);
+    if (ucs == nullptr) continue;
+    const double ratio = ucs->mean / t.mean;
+    if (ratio >= least_over_point_load && ratio <= most_over_point_load) continue;
+    f.cells.push_back(cell_in(rock, t)), f.numbers.push_back({"ratio", ratio});
+  }
+  if (!f.cells.empty()) found.push_back(std::move(f));
+}
+
+/// Direct shear of the bedding against UCS. In a test of UCS at theta it carries a shear stress of
+/// UCS sin(theta) cos(theta) under UCS cos^2(theta): under more than that it carries no less. And no plane is
+/// stronger than the strongest rock.
+void doubt_shear(const Rock& rock, const std::vector<Target>& targets, Findings& found) {
+  const std::vector<Target> all_ucs = of_property(targets, Property::ucs);
+  if (all_ucs.empty()) return;
+  const Target& strongest = *std::ranges::max_element(all_ucs, {}, &Target::mean);
+  for (const Target& t : of_property(targets, Property::shear_peak)) {
+    Finding f{
+        FindingKind::unusual_shear, {cell_in(rock, t), cell_in(rock, strongest)}, {{"laboratory", t.mean}}};
+    f.advice = Advice::check_unit_and_column;
+    if (const double most = most_cohesion * strongest.mean + most_friction * t.confining; t.mean > most) {
+      f.numbers.push_back({"most", most});
+      found.push_back(f);
+      continue;
+    }
+    double least = 0.0;
+    for (const Target& u : all_ucs) {
+      const double angle = u.theta * std::acos(-1.0) / 180.0,
+                   carried = u.mean * std::sin(angle) * std::cos(angle);
+      if (u.mean * std::pow(std::cos(angle), 2.0) <= t.confining && carried > least)
+        least = carried, f.cells[1] = cell_in(rock, u);
+    }
+    if (t.mean >= least_of_bedding * least) continue;
+    f.numbers.push_back({"least", least});
+    found.push_back(f);
+  }
 }
 
 /// Where a straight line through strengths over confining stress meets zero stress; NaN: they are too near
@@ -188,6 +237,8 @@ std::vector<Finding> unusual_values(const Rock& rock) {
   doubt_angles(rock, found);
   doubt_values(rock, unconfined, found);
   doubt_ratios(rock, unconfined, found);
+  doubt_point_load(rock, unconfined, found);
+  doubt_shear(rock, targets, found);
   doubt_confined(rock, targets, found);
   doubt_replicates(rock, found);
   doubt_scatter(rock, found);

@@ -52,6 +52,33 @@ TEST(UnusualValues, UnitsOffByAThousandAreDoubted) {
   EXPECT_DOUBLE_EQ(ratio[0].number("ratio"), 46000.0);
 }
 
+TEST(UnusualValues, APointLoadFarFromUcsIsDoubted) {
+  const auto of = [](double index) {
+    return unusual_values(with({cell(Property::ucs, 0, 100e6), cell(Property::point_load, 0, index)}));
+  };
+  EXPECT_THAT(of(4.2e6), IsEmpty());
+  EXPECT_THAT(kinds(of(20e6)), ElementsAre(Kind::unusual_point_load));
+  EXPECT_EQ(of(20e6)[0].number("ratio"), 5.0);
+  EXPECT_THAT(kinds(of(0.5e6)), ElementsAre(Kind::unusual_point_load));
+}
+
+// At 60 degrees UCS of 40 MPa bears 17.3 MPa in shear under 10 MPa; 110 MPa of rock at most 55 MPa + 1.5
+// sigma_n.
+TEST(UnusualValues, ShearOfBeddingIsComparedWithUcs) {
+  const auto of = [](double tau, double sigma_n) {
+    RockReading shear = cell(Property::shear_peak, 0, tau);
+    shear.confining = sigma_n;
+    return unusual_values(with({cell(Property::ucs, 0, 110e6), cell(Property::ucs, 60, 40e6), shear}));
+  };
+  EXPECT_THAT(of(18e6, 12e6), IsEmpty());
+  EXPECT_THAT(of(2e6, 1e6), IsEmpty()) << "under less stress it may carry less";
+  ASSERT_THAT(kinds(of(2e6, 12e6)), ElementsAre(Kind::unusual_shear));
+  EXPECT_NEAR(of(2e6, 12e6)[0].number("least"), 17.32e6, 1e4);
+  EXPECT_EQ(of(2e6, 12e6)[0].cells[1], (Cell{Property::ucs, 60.0}));
+  ASSERT_THAT(kinds(of(90e6, 12e6)), ElementsAre(Kind::unusual_shear));
+  EXPECT_NEAR(of(90e6, 12e6)[0].number("most"), 73e6, 1.0);
+}
+
 // Radians among degrees, or percent: angles of a bedded rock that hardly differ.
 TEST(UnusualValues, AnglesThatHardlyDifferAreDoubted) {
   const auto found = unusual_values(
