@@ -32,10 +32,11 @@ def is_test(path):
 
 
 def check_functions(path, text, say):
+    given = "namespace std {" in text  # the library says what its functions take
     for f in cpp_text.functions(text):
         if f.length() > MAX_LINES and not f.is_table_of_text():
             say(path, f.line, f"{f.name}: {f.length()} lines, at most {MAX_LINES}")
-        if f.parameters > MAX_PARAMETERS:
+        if f.parameters > MAX_PARAMETERS and not given:
             say(path, f.line, f"{f.name}: {f.parameters} parameters, at most {MAX_PARAMETERS}, or a struct")
 
 

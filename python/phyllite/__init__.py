@@ -348,8 +348,10 @@ class Result(_Sequence):
         return [{**h, **{f"{n.name} [{n.unit}]": n.value for n in s.numbers.values()}} for h, s in zip(head, self)]
 
     def plot(self, kind: str = "stress_strain", *, rock: Optional[Rock] = None, ax: Any = None) -> Any:
-        """A Matplotlib figure: "stress_strain", "damage", "anisotropy" (over the angle, beside the values of a `rock`),
-        "modes" or "rose" of the cracks. ax: axes to draw into, where it has one panel."""
+        """A Matplotlib figure: "stress_strain", "damage", "anisotropy" (over the angle), "modes" or "rose" of the cracks.
+
+        rock: its values stand beside "anisotropy". ax: axes to draw into, where the figure has one panel.
+        """
         return _drawing.draw(_core.run_figure(self._specimens, kind, None if rock is None else rock._record), ax)
 
     def __repr__(self) -> str:

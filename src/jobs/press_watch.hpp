@@ -1,6 +1,6 @@
 // The specimen in the press as others can see it while it is tested: a file in the folder of the results,
 // rewritten up to four times a second, with its discs, how they have moved, what has broken, and the curve so
-// far (docs/formats.md, "Press"). `phyllite run`, calibrations and Python leave the same one.
+// far (docs/formats.md, "Press"). `phyllite run` and calibrations leave the same one.
 #pragma once
 #include <chrono>
 #include <ctime>

@@ -236,6 +236,29 @@ TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
   EXPECT_LT(n_later, 100U) << "a whole test has many more";
 }
 
+TEST(RunTests, ARunningTestIsSeenAsItIsAndChangesNothing) {
+  const Recipe r = quick();
+  const std::vector<std::shared_ptr<const Specimen>> specimens = {specimen_of(packing_of(r), r)};
+  const study::MachineOptions machine{1, 0, 4, engine::native_isa()};
+  std::vector<SpecimenNow> seen;
+  double strain = 0.0;
+  int n_ends = 0;
+  Hooks hooks;
+  hooks.on_reading = [&](std::size_t, const RunningTest& now) {
+    EXPECT_EQ(&now.specimen, specimens.front().get());
+    EXPECT_GE(now.strain, strain);
+    strain = now.strain, n_ends += now.over ? 1 : 0;
+    seen.push_back(now.look());
+  };
+  const TestResult watched = run_tests(specimens, r, machine, hooks).front();
+  EXPECT_EQ(n_ends, 1);
+  EXPECT_EQ(seen.back().moved.u.size(), specimens.front()->packing->discs.size());
+  EXPECT_EQ(seen.back().moved.u, watched.frames.back().u);
+  EXPECT_EQ(seen.back().cracks.size(), watched.cracks.size());
+  EXPECT_GT(seen.back().cracks.size(), seen.front().cracks.size());
+  EXPECT_EQ(watched.hash, run_tests(specimens, r, machine).front().hash);
+}
+
 TEST(RunTests, ATestThatHasNotBegunKnowsWhoseItIs) {
   Recipe r = lab::small_rock(TestKind("biaxial"));
   r.bedding.resize(1);

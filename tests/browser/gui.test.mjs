@@ -303,7 +303,7 @@ test("everything is reached by keyboard", async () => {
     await page.keyboard.press("Tab");
     reached.add(await page.evaluate(() => document.activeElement.labels?.[0]?.textContent || document.activeElement.getAttribute("aria-label") || document.activeElement.textContent.slice(0, 40)));
   }
-  for (const name of ["Light or dark", "Name of the new rock", "New rock", "Edit as text", "Insert row below", "Rock file as text", "Model of the layers", "Calibrate anew", "Open the report", "Kind of test", "Recipe", "Run the test"])
+  for (const name of ["Light or dark", "Another rock", "Edit as text", "Insert row below", "Rock file as text", "Model of the layers", "Calibrate anew", "Open the report", "Kind of test", "Recipe", "Run the test"])
     assert.ok(reached.has(name), `${name} among ${[...reached].join(", ")}`);
 });
 

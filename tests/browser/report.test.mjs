@@ -32,10 +32,11 @@ const results = (result) =>
     .map((entry) => JSON.parse(readFileSync(join(result, entry, "result.json"), "utf8")));
 
 /** Opens the report of a result; whatever goes wrong on the page or wants the network is in `trouble`. */
-async function open(result, options = {}) {
+async function open(result, options = {}, first = null) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
   const page = await context.newPage();
   page.trouble = [];
+  if (first) await page.addInitScript(first);
   page.on("console", (m) => ["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall") && page.trouble.push(m.text()));
   page.on("pageerror", (e) => page.trouble.push(String(e)));
   page.on("request", (r) => !/^(file|data|blob):/.test(r.url()) && page.trouble.push(r.url()));
@@ -402,6 +403,19 @@ test("every sign is in the font of a bare Linux", async () => {
       assert.ok(execFileSync("fc-list", [`:family=DejaVu Sans:charset=${code}`], { encoding: "utf8" }) !== "", `U+${code}`);
     }
   }
+});
+
+test("without WebGL 2 the specimens are drawn all the same", async () => {
+  const page = await open(press, {}, () => (HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, { apply: (get, canvas, [kind, ...rest]) => (kind === "webgl2" ? null : Reflect.apply(get, canvas, [kind, ...rest])) })));
+  const end = await seen(page, "#view");
+  assert.ok(end.colors > 12, String(end.colors));
+  await page.locator("#slider").fill("0");
+  assert.notEqual((await seen(page, "#view")).print, end.print);
+  await page.locator("#field").selectOption("magnitude");
+  await page.locator("#slider").fill("1000");
+  assert.ok((await seen(page, "#view")).colors > 12);
+  assert.equal(await page.locator("#show-forces").count(), 0, "contact forces need WebGL");
+  assert.deepEqual(page.trouble, []);
 });
 
 test("one specimen and its slider are seen together", async () => {

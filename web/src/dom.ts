@@ -73,6 +73,7 @@ export function figure(label: string, caption: Child, draw: (width: number, plac
     if (node instanceof Element) {
       node.setAttribute("role", "img");
       node.setAttribute("aria-label", label);
+      node.querySelectorAll("g[aria-label]").forEach((g) => g.setAttribute("role", "group")); // Plot labels what may have no label otherwise
     }
     place.querySelector(":scope > svg, :scope > figure")?.remove();
     place.prepend(node);

@@ -43,7 +43,8 @@ function watch(rock: string) {
   return {
     node: h("div", { class: "watch" }, h("div", {}, stage, done.node, h("p", { class: "muted" }, tests, time.node, left)), live.node, heading, parameters.node),
     /** `seconds`: of what runs in `folder`; null: nothing does. */
-    show(p: Progress, seconds: number | null, folder: string) {
+    show(left_behind: Progress, seconds: number | null, folder: string) {
+      const p = { ...justBegun, ...left_behind }; // files of earlier versions say less
       const running = seconds !== null;
       stage.textContent = p.state === "finished" ? "" : p.stage;
       done.node.hidden = !running;
@@ -52,7 +53,7 @@ function watch(rock: string) {
       tests.textContent = running && p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage. ` : "";
       const [model, models] = p.model, [kth, least, most] = p.stages;
       const place = kth > 0 ? `${model > 0 && models > 1 ? `model ${model} of at most ${models}, ` : ""}stage ${kth} of ${least === most ? most : `${least} to ${most}`}, ` : "";
-      const known = place + (p.seconds_left === null ? "time left not known yet" : `${between(...p.seconds_left)} left`);
+      const known = place + (!Array.isArray(p.seconds_left) ? "time left not known yet" : `${between(...p.seconds_left)} left`);
       left.textContent = running ? `, ${known}.` : `It took ${duration(p.seconds)}.`;
       live.follow(running ? `/api/press?name=${encodeURIComponent(rock)}&calibration=${encodeURIComponent(folder)}` : null);
       const some = p.parameters.filter((x) => x.steps.length > 0);
@@ -71,7 +72,7 @@ function verdict(c: Calibrating): Child[] {
     h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, ...worded(c.verdict.sentence, c.files))),
     report ? h("p", {}, fileLink(report, "Open the report")) : null,
     report ? command(`phyllite report ${argument(c.folder)}`) : null,
-    list(c.verdict.lines),
+    list(c.verdict.lines ?? []), // files of earlier versions have none
     c.verdict.findings.length > 0 && fold(counted(c.verdict.findings.length, "finding"), list(c.verdict.findings.map((f) => f.text))),
   ];
 }
