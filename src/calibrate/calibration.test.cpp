@@ -178,7 +178,12 @@ TEST(Calibrate, WithoutStrengthsTangentsAreComparedAtSmallStrainAndThatIsSaid) {
 
 TEST(Calibrate, AShortSearchIsAlwaysTold) {
   PaperPress press;
-  EXPECT_THAT(calibrated(rock(), press).verdict.causes, Contains(Is(FindingKind::search_short)));
+  const auto is_short = [](const Finding& f) { return f.kind == FindingKind::search_short; };
+  const Calibration c = calibrated(rock(), press);
+  // as a cause where a longer one can come nearer, else as a note
+  EXPECT_NE(
+      c.notes.end() != std::find_if(c.notes.begin(), c.notes.end(), is_short),
+      c.verdict.causes.end() != std::find_if(c.verdict.causes.begin(), c.verdict.causes.end(), is_short));
 }
 
 TEST(Calibrate, ANuBeyondItsMarginIsNamed) {

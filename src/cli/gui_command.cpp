@@ -23,7 +23,7 @@ namespace {
 struct GuiArguments {
   std::string folder = ".";
   int port = usual;
-  std::optional<bool> browser;  // none: where somebody sits before it
+  bool browser = false, no_browser = false;  // neither: where somebody sits before it
   static constexpr int usual = -1, first = 7337;
 };
 
@@ -57,7 +57,8 @@ int run_gui(const GuiArguments& args, const Session& session) {
       std::filesystem::current_path().string());
   print_wrapped(width, 2, "Ctrl-C ends it; its commands keep their finished tests\n");
   flush_out();
-  if (args.browser.value_or(system::is_terminal(system::standard_output) && system::has_desktop()))
+  if (args.browser ||
+      (!args.no_browser && system::is_terminal(system::standard_output) && system::has_desktop()))
     // A file in place of the address: what a command line says every user of the machine can read.
     system::open_in_browser(std::filesystem::absolute(gui::way_in_file).string());
   const bool all_answered = server->run(*stop_on_interrupt());
@@ -86,8 +87,9 @@ void add_gui_command(CLI::App& app, Session& session) {
                       "that is taken",
                       GuiArguments::first))
       ->check(CLI::Range(0, 65535));
-  verb->add_flag("--browser,!--no-browser", args->browser,
-                 "open the page in the browser; default: in a terminal on a desktop");
+  auto* open = verb->add_flag("--browser", args->browser,
+                              "open the page in the browser; default: in a terminal on a desktop");
+  verb->add_flag("--no-browser", args->no_browser, "open no browser")->excludes(open);
   verb->callback([args, &session] { session.exit_code = run_gui(*args, session); });
 }
 
