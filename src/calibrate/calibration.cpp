@@ -252,7 +252,7 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& asked,
       result.verdict.next.advice != Advice::try_rival)  // something better was advised
     result.notes.push_back(*result.rival);
   Verdict& v = result.verdict;
-  for (auto* list : {&v.findings, &v.good_for, &v.not_good_for, &v.causes, &result.notes})
+  for (auto* list : {&v.findings, &v.good_for, &v.not_good_for, &v.causes, &result.notes, &result.reach})
     *list = survey::cells_in(evidence.rock, std::move(*list));
   v.next = survey::cells_in(evidence.rock, {v.next}).front();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
