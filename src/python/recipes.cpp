@@ -235,8 +235,9 @@ The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for 
       .def_property_readonly(
           "specimens", [](const Recipe& r) { return specimen_names(r); },
           R"(Names of the specimens that it asks for: "theta = 30 deg", "intact".)")
-      .def(py::pickle([](const Recipe& r) { return py::make_tuple(io::write_recipe(r)); },
-                      [](const py::tuple& t) { return io::parse_recipe(t[0].cast<std::string>(), "recipe"); }))
+      .def(
+          py::pickle([](const Recipe& r) { return py::make_tuple(io::write_recipe(r)); },
+                     [](const py::tuple& t) { return io::parse_recipe(t[0].cast<std::string>(), "recipe"); }))
       .def("__eq__",
            [](const Recipe& a, const Recipe& b) { return io::write_recipe(a) == io::write_recipe(b); })
       .def("__repr__", [](const Recipe& r) { return "<phyllite.Recipe \"" + r.name + "\">"; });

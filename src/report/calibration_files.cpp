@@ -297,7 +297,8 @@ const std::vector<FileKey>& calibration_keys() {
       {"notes", "findings about the course"},
       {"methods", "paragraphs for a paper"},
       {"mixing", "`effective_sample_size` and `r_hat` of the draws behind the strengths"},
-      {"reach", "findings of the maps: forecast with its ranges, expectation of each value, UCS over tension"},
+      {"reach",
+       "findings of the maps: forecast with its ranges, expectation of each value, UCS over tension"},
       {"runs", "numbers of tests and solutions"}};
   return keys;
 }
