@@ -147,6 +147,7 @@ def predict(prediction, run, program, now):
         folder = run.folder / f"{prediction['name']}-{sigma_3}"
         (folder / "draws").mkdir(parents=True, exist_ok=True)
         shutil.copytree(run.folder / "calibration/ensemble", folder / "draws/ensemble", dirs_exist_ok=True)
+        shutil.copy(run.folder / "calibration/calibration.json", folder / "draws")  # what the model misses of the table
         recipe = (run.folder / "calibration/calibrated.toml").read_text(encoding="utf-8")
         before, rest = recipe.split("\n[test]\n", 1)
         for key, value in test_of(prediction, sigma_3).items():

@@ -151,7 +151,8 @@ def yardstick_of(folder, prediction, place):
 
 
 def bands_of(run, prediction):
-    """(confining stress, angle) -> median, low, high [MPa] of the draws."""
+    """(confining stress, angle) -> median, low, high [MPa] of the rock: of the draws, with what they miss of the table where
+    the table has such a strength."""
     number, bands = {"BTS": "bts"}.get(prediction["property"], "sigma_1"), {}
     for sigma_3 in prediction.get("confining", [0]):
         path = run.folder / f"{prediction['name']}-{sigma_3}" / "out/band.csv"
@@ -159,7 +160,9 @@ def bands_of(run, prediction):
             with open(path, encoding="utf-8") as file:
                 for r in csv.DictReader(file):
                     if r["number"] == number and r["theta [deg]"]:
-                        bands[sigma_3, float(r["theta [deg]"])] = [float(r[k]) * 1e-6 for k in ("median", "low", "high")]
+                        known = bool(r.get("rock"))
+                        of = ("rock", "rock_low", "rock_high") if known else ("median", "low", "high")
+                        bands[sigma_3, float(r["theta [deg]"])] = [float(r[k]) * 1e-6 for k in of]
     return bands
 
 

@@ -189,7 +189,8 @@ def rocks_page(cards):
     if predictions:
         text += ("\n## Predicted first\nSeeds, model and yardstick of each prediction stand in `data/rocks/plan.toml` since before its run. "
                  "Blind: nothing was run before with the predicted values. Of the others, earlier versions of the program were tried on the same "
-                 "tables with other packings. The band is the smallest to the largest of twenty draws, or of the packings of a study.\n\n"
+                 "tables with other packings. The band is the smallest to the largest of twenty draws, or of the packings of a study. "
+                 "Of a strength that the table has it counts what the model misses there.\n\n"
                  + table(PREDICTION_HEAD, [prediction_row(*p) for p in predictions]))
     return (text + "\n" + "".join(section(c) for c in cards.values())).rstrip() + "\n"
 
