@@ -91,6 +91,15 @@ bool to_be_known_first(const Finding& limit) {
   return limit.kind == Kind::few_grains_between || limit.kind == Kind::stiffer_under_confinement;
 }
 
+/// Properties of which no cell shows its scatter: their errors will not be told from chance.
+std::optional<Finding> without_scatter(const RockCheck& check) {
+  Finding f{Kind::scatter_unstated};
+  for (const Finding& limit : check.limits)
+    if (limit.kind == Kind::scatter_assumed && double(limit.cells.size()) == limit.number("of"))
+      f.names.emplace_back(to_string(limit.cells.front().property));
+  return f.names.empty() ? std::nullopt : std::optional(f);
+}
+
 /// Tests, time and models of the calibration; nothing can be fitted of some tables.
 void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines) {
   try {
@@ -126,6 +135,7 @@ std::vector<Finding> summary_of(const RockCheck& check, int threads) {
                        {{"with_nu", check.evidence.has(Property::nu) ? 1.0 : 0.0}}});
       break;
     }
+  if (const auto unstated = without_scatter(check)) lines.push_back(*unstated);
   std::ranges::copy_if(check.limits, std::back_inserter(lines), to_be_known_first);
   if (check.neighbour) lines.push_back(*check.neighbour);
   if (!check.parameters.empty()) lines.push_back(open_parameters(check.parameters));

@@ -183,9 +183,13 @@ std::vector<LeftOutErrors> left_out_errors(const Calibration& c) {
 std::string sentence(const LeftOutErrors& e) {
   const double ours = std::isfinite(e.with_discrepancy) ? e.with_discrepancy : e.model;
   if (!std::isfinite(ours)) return "";
-  std::string text = fmt::format("Left out one at a time, {} of {} {} predicted within {} (rms).",
+  std::string text = fmt::format("Left out one at a time, {} of {} {} predicted within {} (rms)",
                                  counted_text(static_cast<double>(e.cells), "value"), to_string(e.property),
                                  e.cells == 1 ? "is" : "are", miss_text(e.property, ours));
+  text += std::isfinite(e.with_discrepancy)
+              ? fmt::format(" by the model with its discrepancy, {} by the model alone.",
+                            miss_text(e.property, e.model))
+              : ".";
   if (e.best == nullptr) return text + " The table has too few angles for a curve.";
   return text + fmt::format(" The best curve, {}, has {}.{}", e.best->name, miss_text(e.property, e.curve),
                             ours > e.curve ? " Between the angles of this table, take the curve." : "");

@@ -51,7 +51,7 @@ TEST(CalibrationTables, TheModelAloneAndWithItsDiscrepancyStandApart) {
   const std::string text = error_table(c, 0);
   EXPECT_THAT(text, HasSubstr("left out, model alone              10 %\n"));
   EXPECT_THAT(text, HasSubstr("left out, model with discrepancy  5.0 %\n"));
-  EXPECT_THAT(text, HasSubstr("predicted within 5.0 % (rms). The best curve, "));
+  EXPECT_THAT(text, HasSubstr("(rms) by the model with its discrepancy, "));
   const auto j = nlohmann::json::parse(calibration_json(c, "1"));
   EXPECT_NEAR(j["left_out"][1]["with_discrepancy"].get<double>(), 63e6, 1.0);
   EXPECT_FALSE(j["left_out"][0].contains("with_discrepancy"));

@@ -116,9 +116,10 @@ std::string replicates_apart(F f) {
              lines[1], f.number("factor"));
 }
 
-std::string wide_scatter(F f) {
-  return say(f, "The SD of {} (line {:.0f}) is {:.2g} of the value; hardly any rock scatters so much.",
-             name_of(f.cells[0]), f.number("line"), f.number("share"));
+std::string unusual_scatter(F f) {
+  return say(f, "The SD of {} (line {:.0f}) is {:.2g} % of the value; hardly any rock scatters so {}.",
+             name_of(f.cells[0]), f.number("line"), 100.0 * f.number("share"),
+             f.number("share") > 0.1 ? "much" : "little");
 }
 
 std::string outlying_specimen(F f) {
@@ -342,7 +343,7 @@ const std::vector<Wording> doubts = {
     {Kind::off_envelope, off_envelope},
     {Kind::narrow_angles, narrow_angles},
     {Kind::replicates_apart, replicates_apart},
-    {Kind::wide_scatter, wide_scatter},
+    {Kind::unusual_scatter, unusual_scatter},
     {Kind::outlying_specimen, outlying_specimen},
     {Kind::outlying_cell, outlying_cell},
     {Kind::angles_exchanged, angles_exchanged},
@@ -430,9 +431,9 @@ std::string nearest_rock(F f) {
                               100.0 * f.number("farthest"));
   std::vector<std::string> items;
   for (std::size_t i = 0; i < f.cells.size(); ++i)
-    items.push_back(fmt::format("{} by {} (the curves differ by {:.0f} %)", f.names[2 * i],
+    items.push_back(fmt::format("{} by {} (curves differ by {:.0f} %)", f.names[2 * i],
                                 to_string(f.cells[i].property), 100.0 * differences[i]));
-  return text + fmt::format("Nearest of the {} rocks: {}. See: phyllite rocks {}.",
+  return text + fmt::format("Nearest in shape of the {} rocks: {}. See: phyllite rocks {}.",
                             same.empty() ? "measured" : "other measured", list_text(items), f.names[1]);
 }
 

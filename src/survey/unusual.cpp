@@ -34,7 +34,7 @@ constexpr double most_friction = 1.5, most_cohesion = 0.5;
 constexpr double least_of_bedding = 0.7;  // of what it carried in a test of UCS; specimens scatter
 constexpr double replicates_factor = 1.5;
 constexpr double least_range_of_angles = 20.0;                 // [deg]
-constexpr double most_scatter = 0.5;                           // SD over the value; a tenth is usual
+constexpr double least_scatter = 0.003, most_scatter = 0.5;    // SD over the value; a tenth is usual
 constexpr double least_intercept = 0.7, most_intercept = 1.6;  // of UCS; envelopes bend down from a line
 constexpr double least_range_of_stress = 2.0;                  // factor, of strengths that make a line
 constexpr double falls_by = 2.0;                               // standard errors
@@ -215,8 +215,8 @@ void doubt_replicates(const Rock& rock, Findings& found) {
 
 void doubt_scatter(const Rock& rock, Findings& found) {
   for (const RockReading& r : rock.readings)
-    if (r.property != Property::nu && r.sd > most_scatter * r.value)
-      found.push_back({FindingKind::wide_scatter,
+    if (r.property != Property::nu && (r.sd > most_scatter * r.value || r.sd < least_scatter * r.value))
+      found.push_back({FindingKind::unusual_scatter,
                        {cell_in(rock, r)},
                        {{"share", r.sd / r.value}, {"line", double(r.line)}},
                        {},

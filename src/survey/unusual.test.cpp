@@ -119,14 +119,20 @@ TEST(UnusualValues, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   EXPECT_THAT(unusual_values(rock), IsEmpty());
 }
 
-TEST(UnusualValues, AnSdAsLargeAsItsValueIsDoubted) {
+TEST(UnusualValues, AnSdBeyondEveryRockIsDoubted) {
   Rock rock = with({cell(Property::ucs, 0, 100e6, 2), cell(Property::ucs, 45, 60e6, 3)});
   rock.readings[0].n = rock.readings[1].n = 3;
   rock.readings[0].sd = 300e6, rock.readings[1].sd = 6e6;
   const auto wide = unusual_values(rock);
-  ASSERT_THAT(kinds(wide), ElementsAre(Kind::wide_scatter));
+  ASSERT_THAT(kinds(wide), ElementsAre(Kind::unusual_scatter));
   EXPECT_EQ(wide[0].number("line"), 2.0);
   EXPECT_DOUBLE_EQ(wide[0].number("share"), 3.0);
+  rock.readings[0].sd = 0.07e6;  // a share of the value in a column of MPa
+  const auto narrow = unusual_values(rock);
+  ASSERT_THAT(kinds(narrow), ElementsAre(Kind::unusual_scatter));
+  EXPECT_DOUBLE_EQ(narrow[0].number("share"), 0.0007);
+  rock.readings[0].sd = 0.5e6;
+  EXPECT_THAT(unusual_values(rock), IsEmpty());
 }
 
 RockReading confined(double theta, double sigma_3, double value) {

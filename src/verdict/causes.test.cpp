@@ -276,6 +276,12 @@ TEST(Cause, ModuliAcrossAndAlong) {
   EXPECT_NEAR(f.number("laboratory"), 3.0, 1e-12);
   EXPECT_NEAR(f.number("model"), 2.0, 1e-12);
   EXPECT_FALSE(has(ended({cells(Property::E, {20, 30, 60}, {22, 33, 66})}), Kind::modulus_ratio));
+  // what closed forms exclude comes before what a model does
+  Calibration excluded = ended({cells(Property::E, {14, 40, 27}, {18, 22, 27})});
+  EXPECT_NE(cause(excluded).kind, Kind::no_layered_body);
+  excluded.verdict.findings.push_back(
+      {Kind::no_layered_body, {{Property::E, 45.0}}, {{"chi_square", 1110.0}, {"limit", 9.2}}});
+  EXPECT_EQ(cause_with(excluded, {}).kind, Kind::no_layered_body);
 }
 
 TEST(Cause, NuThatNoLayeredBodyHas) {

@@ -39,6 +39,15 @@ std::optional<Finding> nu_of_no_body(const View& v) {
       FindingKind::nu_of_no_body, {}, {{"nu", nu->laboratory}, {"E", E->laboratory}}, {}, Advice::check_nu};
 }
 
+/// The closed form of a layered body has said it of the table, before any model.
+std::optional<Finding> no_layered_body(const View& v) {
+  const Finding* found = first_of(v.of.verdict.findings, FindingKind::no_layered_body);
+  if (found == nullptr) return {};
+  Finding cause = *found;
+  if (cause.advice == Advice::none) cause.advice = Advice::check_value;
+  return cause;
+}
+
 /// What was tried: nu on grains half as large (calibrate/finer_grains.hpp).
 std::optional<Finding> finer_grains(const View& v) {
   const Finding* found = first_of(v.of.reach, FindingKind::grains_for_nu);

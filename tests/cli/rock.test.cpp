@@ -75,7 +75,7 @@ TEST_F(RockCli, ANewRockBeginsLikeAMeasuredOne) {
               AllOf(HasSubstr("\nspacing = \"10 mm\""), HasSubstr("\ngrain_size = \"2.231 mm\""),
                     HasSubstr("\nwidth = \"51 mm\"")));
   ASSERT_EQ(run("rock check " + at("mine.toml")), 0) << output;
-  EXPECT_THAT(output, HasSubstr("Nearest of the measured rocks: "));
+  EXPECT_THAT(output, HasSubstr("Nearest in shape of the measured rocks: "));
   EXPECT_EQ(run("rock new " + at("other") + " --like no-rock"), 2);
   EXPECT_FALSE(fs::exists(at("other.toml")) || fs::exists(at("other.csv")));
 }
