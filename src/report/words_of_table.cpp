@@ -283,11 +283,13 @@ std::string misfits(F f) {
   return fmt::format("{}", fmt::join(items, "; "));
 }
 
-/// At which part of the curve the moduli are read, where that is no elastic body's.
+/// At which part of the curve the moduli are read, where that is no elastic body's. The names of a cause,
+/// which has a share of the misfit, are properties.
 std::string reading_of(F f) {
-  return f.names.empty() ? ""
-                         : fmt::format(" Read as {} (E_is), E and nu need not belong to an elastic body.",
-                                       f.names.front());
+  return f.names.empty() || f.has("share")
+             ? ""
+             : fmt::format(" Read as {} (E_is), E and nu need not belong to an elastic body.",
+                           f.names.front());
 }
 
 std::string no_layered_body(F f) {

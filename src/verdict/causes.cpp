@@ -75,8 +75,7 @@ Finding farthest_value(const View& v, Part part) {
 
 Finding cause_of(const View& v, Part part) {
   static const std::map<Part, std::vector<CauseRule*>> rules = {
-      {Part::moduli,
-       {nu_of_no_body, finer_grains, stiffening, no_layered_body, moduli_scaled, modulus_ratio}},
+      {Part::moduli, {nu_of_no_body, finer_grains, stiffening, of_no_body, moduli_scaled, modulus_ratio}},
       {Part::compression, {weakest_angle, ucs_ratio}},
       {Part::tension, {tension_ratio}},
       {Part::initiation, {initiation_ratio}},

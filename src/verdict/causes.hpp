@@ -22,8 +22,8 @@ void state_uses(const Calibration& calibration, Verdict& verdict);
 
 /// A rule: what is wrong with its part of the table, with the advice; nothing: it does not apply.
 using CauseRule = std::optional<Finding>(const View&);
-CauseRule nu_of_no_body, finer_grains, stiffening, no_layered_body, moduli_scaled, modulus_ratio;  // moduli
-CauseRule weakest_angle, ucs_ratio;                               // compression
+CauseRule nu_of_no_body, finer_grains, stiffening, of_no_body, moduli_scaled, modulus_ratio;  // moduli
+CauseRule weakest_angle, ucs_ratio;                                                           // compression
 CauseRule tension_ratio, initiation_ratio, grains_for_toughness;  // other strengths
 
 /// What the maps expect the model to miss as well, where the part is farthest off.

@@ -282,6 +282,8 @@ TEST(Cause, ModuliAcrossAndAlong) {
   excluded.verdict.findings.push_back(
       {Kind::no_layered_body, {{Property::E, 45.0}}, {{"chi_square", 1110.0}, {"limit", 9.2}}});
   EXPECT_EQ(cause_with(excluded, {}).kind, Kind::no_layered_body);
+  excluded.verdict.findings.back().kind = Kind::one_cell_of_no_body;
+  EXPECT_EQ(cause_with(excluded, {}).kind, Kind::one_cell_of_no_body);
 }
 
 TEST(Cause, NuThatNoLayeredBodyHas) {

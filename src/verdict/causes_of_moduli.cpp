@@ -40,8 +40,9 @@ std::optional<Finding> nu_of_no_body(const View& v) {
 }
 
 /// The closed form of a layered body has said it of the table, before any model.
-std::optional<Finding> no_layered_body(const View& v) {
+std::optional<Finding> of_no_body(const View& v) {
   const Finding* found = first_of(v.of.verdict.findings, FindingKind::no_layered_body);
+  if (found == nullptr) found = first_of(v.of.verdict.findings, FindingKind::one_cell_of_no_body);
   if (found == nullptr) return {};
   Finding cause = *found;
   if (cause.advice == Advice::none) cause.advice = Advice::check_value;
