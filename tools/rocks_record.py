@@ -16,7 +16,7 @@ def rows_of(name, seed, found):
 
 def write(path, runs):
     """`runs`: by rock. Rocks that were not asked for keep their rows."""
-    rows = [r for name, some in runs.items() for run in some if run.result.exists()
+    rows = [r for name, some in runs.items() for run in some if run.result.suffix == ".json" and run.result.exists()
             for r in rows_of(name, run.seed, json.loads(run.result.read_text(encoding="utf-8")))]
     done = {r[0] for r in rows}
     if path.exists():
