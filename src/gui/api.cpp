@@ -305,7 +305,6 @@ Api::Work Api::work_in(const std::string& folder) {
 }
 
 std::string Api::state_of_calibration(const std::string& folder) {
-  const bool finished = exists(path_in(folder, "calibration.json"));
   const Json reported = value_in(json_in(path_in(folder, jobs::watch_file)), {"state"});
   const Work work = work_in(folder);
   if (work.process != 0) return "running";
@@ -350,7 +349,6 @@ Json Api::brief(const std::string& folder) {
 Json Api::calibration(const std::string& name, const std::string& folder) {
   const Log log = log_in(log_of(folder));
   const auto earlier = jobs::request_in(folder);
-  const bool finished = exists(path_in(folder, "calibration.json"));
   const auto [process, here, code] = work_in(folder);
   const std::string state = state_of_calibration(folder);
   jobs::CalibrationRequest next = earlier.value_or(jobs::CalibrationRequest{});
