@@ -305,6 +305,7 @@ Api::Work Api::work_in(const std::string& folder) {
 }
 
 std::string Api::state_of_calibration(const std::string& folder) {
+  const bool finished = exists(path_in(folder, "calibration.json"));
   const Json reported = value_in(json_in(path_in(folder, jobs::watch_file)), {"state"});
   const Work work = work_in(folder);
   if (work.process != 0) return "running";

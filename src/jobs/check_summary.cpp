@@ -127,7 +127,10 @@ std::vector<Finding> summary_of(const RockCheck& check, int threads) {
   for (const bool strengths : {false, true})
     if (Finding values = values_of(check.evidence, strengths); !values.cells.empty())
       lines.push_back(std::move(values));
-  if (check.doubts.empty()) lines.push_back({Kind::no_doubts});
+  if (const auto unstated = without_scatter(check))
+    lines.push_back(*unstated);
+  else if (check.doubts.empty())
+    lines.push_back({Kind::no_doubts});
   for (const Finding& limit : check.limits)
     if (limit.kind == Kind::no_layered_body || limit.kind == Kind::one_cell_of_no_body) {
       lines.push_back({Kind::no_body_in_short,
@@ -135,7 +138,6 @@ std::vector<Finding> summary_of(const RockCheck& check, int threads) {
                        {{"with_nu", check.evidence.has(Property::nu) ? 1.0 : 0.0}}});
       break;
     }
-  if (const auto unstated = without_scatter(check)) lines.push_back(*unstated);
   std::ranges::copy_if(check.limits, std::back_inserter(lines), to_be_known_first);
   if (check.neighbour) lines.push_back(*check.neighbour);
   if (!check.parameters.empty()) lines.push_back(open_parameters(check.parameters));
