@@ -7,8 +7,11 @@ mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 test -e "$folder/complete" && exit 0
 suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
+# The mirror that this machine has its packages from.
+mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' "Codename: $suite" | head -1)
+test -n "$mirror" || { echo "sources: apt knows no mirror of $suite; run apt-get update" >&2; exit 1; }
 mkdir -p "$folder/apt/lists/partial" "$folder/include"
-echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] ${DEBIAN_MIRROR:-http://deb.debian.org/debian} $suite main" \
+echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" \
   >"$folder/apt/sources.list"
 apt() { apt-get -qq -o Dir::Etc::SourceList="$folder/apt/sources.list" -o Dir::Etc::SourceParts=/dev/null \
   -o Dir::State::Lists="$folder/apt/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= "$@"; }
