@@ -94,6 +94,13 @@ bool is_directed(LayerModel model) {
                              [&](const RockModel& m) { return m.layers == model && m.directions; });
 }
 
+std::vector<const char*> layers_of_matrix(MatrixModel matrix) {
+  std::vector<const char*> words;
+  for (const RockModel& m : rock_models())
+    if (m.layered && m.matrix == matrix) words.push_back(to_string(m.layers));
+  return words;
+}
+
 bool of_parallel_bonds(LayerModel model) {
   return model != LayerModel::choose && find_model(true, model, flat) == nullptr;
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include "records/recipe.hpp"
 
@@ -48,6 +49,8 @@ std::string text_of(const RockModel& model, double jointed_share);
 LayerModel layers_of(const Recipe& recipe);
 /// Do bonds have directions?
 bool is_directed(LayerModel model);
+/// The words of all layers that a matrix has: "planes".
+std::vector<const char*> layers_of_matrix(MatrixModel matrix);
 /// Is there no such model of flat joints?
 bool of_parallel_bonds(LayerModel model);
 

@@ -1,6 +1,7 @@
 #include "rock/file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,8 +113,7 @@ const Fields& rock_fields() {
   return fields;
 }
 
-/// Bedding as calibrations predict it; bridges as they were mapped, by the crossing rule between parallel
-/// bonds.
+/// Bedding as calibrations predict it; bridges by the crossing rule alone, as they were mapped.
 bool is_ideal(const BeddingRecipe& b, const MatrixRecipe& m) {
   const bool bridged = b.rule == BeddingRule::crossing && !b.unjointed() &&
                        find_model(true, LayerModel::planes_with_bridges, m.model) != nullptr &&
@@ -191,7 +191,7 @@ class RockReader {
                      [&](const BeddingRecipe& b) { return is_ideal(b, recipe->matrix); }))
       good = refuse(
           "planes that are parallel and equally spaced, with joints of one strength, in one matrix; with "
-          "persistence below 1 (not 0) by rule = \"crossing\" between parallel bonds without directions",
+          "persistence below 1 (not 0) by rule = \"crossing\" between bonds without directions",
           "a calibration knows no other bedding: leave out rule = \"oriented\", bridges, spacing_sd, "
           "theta_sd, sigma_n_sd, layer_thickness, and persistence where its rule or matrix is another");
     if (!recipe->packing.file.empty())
@@ -241,9 +241,11 @@ class RockReader {
     const MatrixModel stays = rock_.matrix.value_or(rock_.model.matrix.model);
     if (of_parallel_bonds(rock_.layers) && stays == MatrixModel::flat_joint) {
       const char* key = is_given("matrix") ? "matrix" : "recipe";
-      problems_.push_back({file_.place(key), key, "flat joints with directions or bridges",
-                           "parallel bonds, where bonds have directions or planes have bridges",
-                           "choose matrix = \"parallel_bond\", or layers of whole planes alone"});
+      problems_.push_back(
+          {file_.place(key), key, fmt::format("flat joints, layers = \"{}\"", to_string(rock_.layers)),
+           "a model of rock that has both",
+           fmt::format("choose matrix = \"parallel_bond\", or layers that flat joints have: {}",
+                       fmt::join(layers_of_matrix(stays), ", "))});
     }
     return true;
   }
