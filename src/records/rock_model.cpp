@@ -53,7 +53,16 @@ const RockModel models[] = {
      .layers = LayerModel::planes,
      .matrix = flat,
      .joints = true,
-     .words = "joints on planes between flat joints"}};
+     .words = "joints on planes between flat joints"},
+    {.layered = true,
+     .layers = LayerModel::planes_with_bridges,
+     .matrix = flat,
+     .joints = true,
+     .bridges = true,
+     .words = "joints on {:g} of the planes, between flat joints",
+     .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
+                 "bridges.",
+     .contains = &models[6]}};
 
 }  // namespace
 
