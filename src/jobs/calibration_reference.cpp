@@ -140,8 +140,7 @@ std::string model_rows() {
     text += fmt::format("| {} | {} | {} | {} |\n",
                         m.layered ? fmt::format("`\"{}\"`", to_string(m.layers)) : "no layers",
                         m.matrix == MatrixModel::flat_joint ? "`\"flat_joint\"`" : "`\"parallel_bond\"`",
-                        m.bridges ? "joints on a share of the planes" : m.words,
-                        m.contains == nullptr ? "" : m.contains->words);
+                        text_of(m, std::nullopt), m.contains == nullptr ? "" : m.contains->words);
   return text;
 }
 

@@ -112,9 +112,8 @@ void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines
   Finding models{Kind::models_ahead};
   std::set<const RockModel*> kinds;
   for (const Rock& rock : maps::candidates_of(check.as_read))
-    if (kinds.insert(&maps::model_of(rock)).second)
-      models.names.push_back(has_bridges(rock.model) ? "joints on a share of the planes"
-                                                     : maps::model_in_words(rock));
+    if (const RockModel& model = maps::model_of(rock); kinds.insert(&model).second)
+      models.names.push_back(text_of(model, std::nullopt));
   lines.push_back(models);
 }
 

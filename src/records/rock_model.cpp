@@ -45,7 +45,7 @@ const RockModel models[] = {
      .matrix = parallel,
      .joints = true,
      .bridges = true,
-     .words = "joints on {:g} of the planes",
+     .words = "joints on {} of the planes",
      .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
                  "bridges.",
      .contains = &models[2]},
@@ -59,7 +59,7 @@ const RockModel models[] = {
      .matrix = flat,
      .joints = true,
      .bridges = true,
-     .words = "joints on {:g} of the planes, between flat joints",
+     .words = "joints on {} of the planes, between flat joints",
      .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
                  "bridges.",
      .contains = &models[6]}};
@@ -82,8 +82,9 @@ const RockModel* find_model(bool layered, LayerModel layers, MatrixModel matrix)
   return nullptr;
 }
 
-std::string text_of(const RockModel& model, double jointed_share) {
-  return fmt::format(fmt::runtime(model.words), jointed_share);
+std::string text_of(const RockModel& model, std::optional<double> jointed_share) {
+  return fmt::format(fmt::runtime(model.words),
+                     jointed_share ? fmt::format("{:g}", *jointed_share) : "a share");
 }
 
 const char* to_string(LayerModel model) {
