@@ -64,7 +64,7 @@ def film(program):
     if not found:
         return print("pictures: no results/rocks (make rocks), boryeong.gif stays")
     run(program, "film", found[0] / "specimens", "--width", 640, "--seconds", 5, "--out", WORK / "film.webm")
-    run(program, "figure", found[0], "--kind", "anisotropy", "--width", 90, "--format", "png", "--out", WORK / "chart.png")
+    run(program, "figure", found[0], "--kind", "anisotropy", "--size", 90, "--format", "png", "--out", WORK / "chart.png")
     beside = f"[1]scale=-1:{STRIP}:flags=area[c];[0]scale=-1:{STRIP}[f];[f][c]hstack,fps=12"
     encode("-i", WORK / "film.webm", "-i", WORK / "chart.png", "-filter_complex", few_colours(beside, 96), OUT / "boryeong.gif")
 

@@ -74,7 +74,8 @@ void draw(const CompareArguments& args, const History& ours, const History& thei
   make_file_or_stop(args.figure, [&](const std::string& temporary) {
     const report::Figure figure =
         report::two_curves_figure(ours, theirs, std::filesystem::path(args.theirs).filename().string());
-    const std::string script = report::gnuplot_script(figure, format_of(args), column_width, temporary);
+    const std::string script =
+        report::gnuplot_script(figure, {format_of(args), column_width, 0.0, temporary});
     io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   print_out("{}\n", args.figure);

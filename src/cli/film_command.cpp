@@ -42,16 +42,17 @@ int make_film(const FilmArguments& args) {
 
 void add_film_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FilmArguments>();
-  CLI::App* verb = app.add_subcommand("film", "write an animation of the test (WebM or GIF) through ffmpeg");
+  CLI::App* verb =
+      app.add_subcommand("film", "write an animation of the test (WebM, MP4 or GIF) through ffmpeg");
   verb->add_option("result", args->result,
                    "folder that `phyllite run` wrote, `specimens` of a calibration, or one specimen of them")
       ->required()
       ->type_name("FOLDER");
-  verb->add_option("--out", args->out, "file that ends in .webm or .gif")
+  verb->add_option("--out", args->out, "file that ends in .webm, .mp4 or .gif")
       ->type_name("FILE")
       ->check([](const std::string& name) {
-        return name.ends_with(".webm") || name.ends_with(".gif") ? ""
-                                                                 : "name a file that ends in .webm or .gif";
+        const bool known = name.ends_with(".webm") || name.ends_with(".mp4") || name.ends_with(".gif");
+        return known ? "" : "name a file that ends in .webm, .mp4 or .gif";
       })
       ->capture_default_str();
   verb->add_option("--width", args->film.width, "pixels")

@@ -1,10 +1,14 @@
 #include "report/figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "base/check.hpp"
 #include "base/option.hpp"
+#include "base/quote.hpp"
 #include "base/spelling.hpp"
 #include "base/text_table.hpp"
 #include "report/calibration_figures.hpp"
@@ -92,13 +96,34 @@ const FigureKind& figure_kind(const std::string& word) {
       option_problem("kind", word, "one of " + list, near.empty() ? "" : "did you mean " + near + "?"));
 }
 
-std::string figure_script(const FigureKind& kind, const FigureData& data, FigureFormat format, double width,
-                          const std::string& out) {
-  const double w = width > 0.0 ? width : kind.width;
-  if (kind.make != nullptr) return gnuplot_script(kind.make(data), format, w, out);
+std::string figure_script(const FigureKind& kind, const FigureData& data, Sheet sheet) {
+  if (sheet.width == 0.0) sheet.width = kind.width;
+  if (kind.make != nullptr) return gnuplot_script(kind.make(data), sheet);
+  if (sheet.height != 0.0)
+    throw InputError(Problem{"command line", "--size", fmt::format("{:g}x{:g}", sheet.width, sheet.height),
+                             "a width alone", "pictures of specimens are as high as the specimens"});
   GnuplotScript script;
-  const double height = kind.picture(script, data.run, w);
-  return gnuplot_head(format, w, height, out) + script.text();
+  sheet.height = kind.picture(script, data.run, sheet.width);
+  return gnuplot_head(sheet) + script.text();
+}
+
+std::string figure_csv(const FigureKind& kind, const FigureData& data) {
+  if (kind.make == nullptr)
+    throw InputError(Problem{"command line", "--data", "", "a kind with axes",
+                             "pictures show discs.csv and cracks.csv of the folder"});
+  const auto number = [](double x) { return std::isfinite(x) ? fmt::format("{:.8g}", x) : ""; };
+  std::string text = "panel,series,x_axis,y_axis,x,y,low,high,text\n";
+  char letter = 'a';  // as the figure numbers its panels
+  for (const Panel& panel : kind.make(data).panels) {
+    const std::string title = panel.title.empty() ? std::string(1, letter) : panel.title;
+    ++letter;
+    for (const Series& s : panel.series)
+      for (const Point& p : s.points)
+        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_cell(title), csv_cell(s.name),
+                            csv_cell(panel.x.label()), csv_cell((s.right ? *panel.right : panel.y).label()),
+                            number(p.x), number(p.y), number(p.low), number(p.high), csv_cell(p.text));
+  }
+  return text;
 }
 
 std::string figure_text(const FigureKind& kind, const FigureData& data, int columns) {

@@ -117,6 +117,10 @@ std::vector<std::string> Film::encoder_arguments(const std::string& out) const {
     add({"-filter_complex",
          labels() +
              ",split[a][b];[a]palettegen=max_colors=64:stats_mode=diff[p];[b][p]paletteuse=dither=none"});
+  else if (out.ends_with(".mp4"))
+    // Even sides, colours at half resolution and the index in front are what PowerPoint and browsers play.
+    add({"-vf", labels() + ",pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "20", "-pix_fmt",
+         "yuv420p", "-movflags", "+faststart"});
   else
     add({"-vf", labels(), "-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1", "-deadline",
          "good", "-cpu-used", "4", "-pix_fmt", "yuv420p"});

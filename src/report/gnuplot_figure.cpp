@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "base/quote.hpp"
 #include "report/palette.hpp"
 
@@ -90,7 +91,9 @@ struct Grid {
   double panel_width = 0.0, panel_height = 0.0;               // [mm] between the axes
 };
 
-Grid grid_of(const Figure& figure, double width, double head) {
+/// As high as the sheet, or as the panels' axes want it.
+Grid grid_of(const Figure& figure, const Sheet& sheet, double head) {
+  constexpr double lowest = 15.0;  // [mm] between axes whose numbers stand clear of each other
   Grid g;
   const std::size_t n = std::max<std::size_t>(1, figure.panels.size());
   const bool framed = n > 0 && !figure.panels.empty() && figure.panels.front().framed;
@@ -104,11 +107,19 @@ Grid grid_of(const Figure& figure, double width, double head) {
   if (figure.panels.size() == 1 && figure.panels.front().title.empty())
     g.top = 2.0;  // letters of several panels need room
   g.rows = (n + g.columns - 1) / g.columns;
-  g.width = width, g.head = head;
+  g.width = sheet.width, g.head = head;
   const auto columns = static_cast<double>(g.columns), rows = static_cast<double>(g.rows);
-  g.panel_width = width / columns - g.left - g.right;
+  g.panel_width = g.width / columns - g.left - g.right;
   g.panel_height = g.panel_width * (framed ? figure.aspect : 1.0);
   g.height = rows * (g.panel_height + g.top + g.bottom) + head;
+  if (sheet.height == 0.0) return g;
+  g.panel_height += (sheet.height - g.height) / rows, g.height = sheet.height;
+  if (!framed || g.panel_height < lowest)
+    throw InputError(Problem{"command line", "--size", fmt::format("{:g}x{:g}", sheet.width, sheet.height),
+                             framed ? fmt::format("at least {:.0f} mm of height",
+                                                  std::ceil(rows * (lowest + g.top + g.bottom) + head))
+                                    : "a width alone, for a figure without axes",
+                             "leave the height out: it follows from the width"});
   return g;
 }
 
@@ -265,12 +276,12 @@ std::string typeset(const std::string& text) {
   return out;
 }
 
-std::string gnuplot_script(const Figure& figure, FigureFormat format, double width, const std::string& out) {
+std::string gnuplot_script(const Figure& figure, Sheet sheet) {
   GnuplotScript s;
   KeyRows key;
   double head = 0.0;
   if (figure.key == Key::shared) {
-    key = key_of(panels_of(figure), width, false);
+    key = key_of(panels_of(figure), sheet.width, false);
     if (key.rows > 0) head = 1.0 + 3.4 * static_cast<double>(key.rows);
     // gnuplot takes long names for wider than they are, and short ones for narrower
     const double wider = 2.0 - static_cast<double>(key.longest) / 6.0;  // [letters] of each column
@@ -281,7 +292,7 @@ std::string gnuplot_script(const Figure& figure, FigureFormat format, double wid
   } else if (figure.key == Key::inside) {
     s.add("set key top center reverse Left maxrows 3 samplen 1.2 font ',6' width -2");
   }
-  const Grid g = grid_of(figure, width, head);
+  const Grid g = grid_of(figure, sheet, head);
   s.add("set style textbox opaque noborder margins 0.3,0.3");
   if (!figure.panels.empty() && !figure.panels.front().framed)
     s.add("unset border; unset tics; set size ratio -1");
@@ -297,7 +308,8 @@ std::string gnuplot_script(const Figure& figure, FigureFormat format, double wid
     if (figure.key == Key::shared) key = {}, s.add("unset key");
   }
   s.add("unset multiplot");
-  return gnuplot_head(format, width, g.height, out) + s.text();
+  sheet.height = g.height;
+  return gnuplot_head(sheet) + s.text();
 }
 
 }  // namespace phy::report

@@ -114,7 +114,7 @@ std::string small(const std::string& shown) {
   if (const auto known = whole.find(shown); known != whole.end()) return known->second;
   std::string command = shown;
   const std::vector<std::pair<std::string, std::string>> words = {{"svg|pdf|png", "svg"},
-                                                                  {"--width MM", "--width 90"},
+                                                                  {"--size WIDTH", "--size 90"},
                                                                   {"--out FILE", "--out again/figure.svg"},
                                                                   {"KIND", "cracks"},
                                                                   {"RESULT", "result"},
