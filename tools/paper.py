@@ -226,9 +226,9 @@ def page(results, docs):
 
 HEAD = """# The paper, again
 
+Written by `make paper` from the stores of the studies in `examples/paper`; every number below is read from them.
 Sections 3 and 4 of "Parametric study of smooth joint parameters on the mechanical behavior of transversely isotropic rocks
-and research on calibration method", run with Phyllite. `make paper` runs the studies of `examples/paper/` and writes this
-page from their stores; every number below is read from them. The text of the paper that we have ends with the caption of
+and research on calibration method", run with Phyllite. The text of the paper that we have ends with the caption of
 Fig. 6. Its Table 3, Table 4 and the curves of its figures are not in it, so we compare with its words.
 
 Specimen: 38 x 76 mm, 7,481 discs, Tables 1 and 2; `examples/paper/press.toml` states what the paper leaves open. Press:

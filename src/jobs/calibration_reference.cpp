@@ -11,6 +11,7 @@
 #include "calibrate/plan.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "jobs/calibration_options.hpp"
+#include "jobs/key_table.hpp"
 #include "records/parameters.hpp"
 #include "records/rock_model.hpp"
 #include "report/calibration_files.hpp"
@@ -70,10 +71,9 @@ Of `phyllite calibrate`, of `phyllite.calibrate` in Python (with `_`), and of th
 constexpr const char* keys_head = R"(
 ## Keys of a calibration
 
-Of `calibration.json`: SI units, `null` where there is no number. A key without content is left out.
+Of `calibration.json`: SI units, `null` where there is no number. A key without content is left out. `file` is
+the whole; other objects stand where a key names them, alone or in a list.
 
-| key | content |
-|---|---|
 )";
 
 /// What the ends of a box count.
@@ -185,9 +185,7 @@ std::string calibration_reference() {
   for (const calibrate::Effort& e : calibrate::efforts)
     text += fmt::format("| `{}` | {:g} | {} |\n", e.name, e.points, e.further);
   text += packings_head + packing_rows() + options_head + option_rows() + keys_head;
-  for (const FileKey& key : report::calibration_keys())
-    text += fmt::format("| `{}` | {} |\n", key.name, key.content);
-  return text;
+  return text + key_table(report::calibration_keys());
 }
 
 }  // namespace phy::jobs

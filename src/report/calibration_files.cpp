@@ -267,42 +267,6 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-const std::vector<FileKey>& calibration_keys() {
-  static const std::vector<FileKey> keys = {
-      {"format", "version of this file"},
-      {"program", "`name` and `version`"},
-      {"rock", "name of the rock"},
-      {"asked", "every option that changes the result, by key"},
-      {"method", "`sequence`, or absent"},
-      {"effort", "of the search"},
-      {"verdict",
-       "`status`, `sentence`, `lines`, `counts`, `good_for`, `not_good_for`, `findings`, `causes`, `next`"},
-      {"tables", "parameters as printed: `title`, `head`, `rows`"},
-      {"parameters",
-       "`key`, `symbol`, `unit`, `value`, `low`, `high`, `box`, `determined`, `rests_on`, `next`"},
-      {"fitted", "cells that were fitted"},
-      {"verification", "cells on unseen packings"},
-      {"left_out", "cells predicted without themselves, and by each curve"},
-      {"compared", "K_Ic on unseen packings, where nobody states the grain size"},
-      {"discrepancy", "rock over model at every fifth degree: `factor`, `low`, `high`"},
-      {"residuals", "what it is learnt from, per strength: `value`, of the `draws`, `noise`, `unknown`"},
-      {"errors", "root mean squares per property: fitted, unseen, left out, curves"},
-      {"yardsticks",
-       "per property left out: `cells`, `model`, `with_discrepancy`, `best`, `best_error`, `text`"},
-      {"E_is", "which slope the table's E is"},
-      {"layers", "model of the layers"},
-      {"matrix", "`parallel_bond` or `flat_joint`"},
-      {"tangent_from_test", "E and nu at 40 to 60 % of UCS, where `E_is` is small strain"},
-      {"eq2", "`planes`, `K_n`, `K_s`, each with `ratio`, `slope`, `intercept`, `R2`"},
-      {"notes", "findings about the course"},
-      {"methods", "paragraphs for a paper"},
-      {"mixing", "`effective_sample_size` and `r_hat` of the draws behind the strengths"},
-      {"reach",
-       "findings of the maps: forecast with its ranges, expectation of each value, UCS over tension"},
-      {"runs", "numbers of tests and solutions"}};
-  return keys;
-}
-
 Calibration comparisons_of(const std::string& json, const std::string& file) {
   Calibration c;
   // Missing keys and wrong types come as exceptions of the JSON library.

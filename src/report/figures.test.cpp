@@ -105,6 +105,18 @@ TEST(Figures, MacroStiffnessesAreThoseOfTheContinuum) {
   }
 }
 
+TEST(Figures, ALineThroughValuesHasTheColourOfItsPoints) {
+  Variation v = continuum({0.5, 1.0, 2.0});
+  v.parameters.push_back(v.parameters.front());
+  v.parameters.back().key = "bedding.k_s";
+  const Panel panel = stiffness_figure(v).panels.at(0);
+  const std::vector<Series> lines = of_role(panel, Role::listed, Mark::line),
+                            points = of_role(panel, Role::listed, Mark::points);
+  ASSERT_EQ(lines.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(lines[i].number, points[i].number);
+  EXPECT_NE(lines[0].number, lines[1].number);
+}
+
 // 2 x 3000 + 400 GPa/m at the base.
 TEST(Figures, LinesOfOthersStandBesideTheirParameter) {
   Variation v = continuum({0.5, 1.0, 2.0});

@@ -100,6 +100,10 @@ Grid grid_of(const Figure& figure, const Sheet& sheet, double head) {
   if (framed) {
     g.columns = n <= 2 ? n : n == 4 ? 2 : 3;
     if (figure.panels.front().right) g.right = 11.0;
+    double highest = 1e3;
+    for (const Panel& panel : figure.panels)
+      if (!panel.y.logarithmic) highest = std::max(highest, panel.y.high);
+    g.left += 1.7 * (std::floor(std::log10(highest)) - 3.0);  // the room holds four digits
   } else {
     g.columns = std::min<std::size_t>(n, 4);
     g.left = g.right = g.bottom = 1.0;

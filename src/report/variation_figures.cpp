@@ -54,7 +54,8 @@ class Means {
   /// `joined`: by a line, a guide to the eye.
   void add_to(Panel& panel, bool joined) const {
     Series line = means_;
-    line.name.clear(), line.mark = Mark::line, line.number = 0;
+    line.name.clear(), line.mark = Mark::line;
+    if (line.role == Role::ordered) line.number = 0;  // dashes are of fitted lines
     for (Point& p : line.points) p = {p.x, p.y};
     if (joined) panel.series.push_back(line);
     if (!pairs_.empty()) panel.series.push_back(pairs_of(means_, pairs_));
