@@ -54,7 +54,7 @@ std::string hash_of_table(const Evidence& evidence) {
   for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
     hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
-    // Only where confined: folders begun before tables had this column keep their hash.
+    // Only where confined: tables without this column keep their hash.
     if (t.confining > 0.0) hash.add(t.confining);
   }
   return hash.text();

@@ -10,6 +10,7 @@
 namespace phy::report {
 const Comparison& judged(const Calibration& c, const Comparison& fitted) {
   const Comparison* unseen = row_of(c.verification, fitted.target);
+  // A calibration that was stopped has no verification; then the fit is all there is.
   return unseen != nullptr ? *unseen : fitted;
 }
 
@@ -35,6 +36,7 @@ std::vector<std::string> open_lines(const Calibration& c) {
   for (const ParameterEstimate& e : c.parameters) {
     if (!e.open()) continue;
     auto at =
+        // By test: a reader plans a campaign, not parameters, and one test may settle several.
         std::find_if(open.begin(), open.end(), [&](const auto& o) { return o.first == text_of(e.next); });
     if (at == open.end()) at = open.insert(at, {text_of(e.next), {}});
     at->second.push_back(e.symbol);

@@ -62,6 +62,7 @@ class ColorKey {
     std::string text, color;
   };
   ColorKey(std::vector<Word> words, double width) : words_(std::move(words)), width_(width) {
+    // Halved and not lessened by one, so that rows are alike in length.
     while (columns_ > 1 && row_length(0) > width) columns_ = (columns_ + 1) / 2;
   }
   double height() const { return 3.0 + row * static_cast<double>(rows()); }  // [mm]
@@ -108,6 +109,7 @@ double side_by_side(GnuplotScript& s, const RunRecord& run, double width, bool a
     aspect = std::max(aspect, (w.y1 - w.y0) / (w.x1 - w.x0));
   }
   const double panel = std::min(width / n, widest), height = panel * aspect + title + key;
+  // The same scale both ways: discs must stay round.
   s.add("set size ratio -1; unset border; unset tics; unset key");
   if (at_end) words.add_to(s, height);
   const double edge = 0.5 * (1.0 - n * panel / width) + 0.003;
@@ -115,6 +117,7 @@ double side_by_side(GnuplotScript& s, const RunRecord& run, double width, bool a
         1.0 - edge, key / height, 1.0 - title / height);
   for (const SpecimenRecord* t : tests) {
     show(s, picture_of(*t, whole(*t), panel, at_end), whole(*t), title_of(*t));
+    // The key belongs to the page and is drawn with the first picture alone.
     s.add("unset label");
   }
   s.add("unset multiplot");
@@ -136,6 +139,7 @@ double draw_model(GnuplotScript& s, const RunRecord& run, double width) {
   const SpecimenRecord& t =
       **std::min_element(tests.begin(), tests.end(), [](const SpecimenRecord* a, const SpecimenRecord* b) {
         const auto far = [](const SpecimenRecord& r) {
+          // Near 30 degrees planes cross the specimen from side to side, and one sees best what bedding is.
           return r.result.intact ? 1e3 : std::abs(r.result.theta - 30.0);
         };
         return far(*a) < far(*b);
@@ -160,6 +164,7 @@ double draw_model(GnuplotScript& s, const RunRecord& run, double width) {
   place(0.01, 0.45, left_height);
   show(s, picture_of(t, all, left, false), all,
        fmt::format("{:.3g} × {:.3g} mm, {}", 1e3 * w, 1e3 * h, title_of(t)));
+  // The frame of the window is drawn in the first picture, not in the window itself.
   s.add("unset object 1; set border 15 lw 1.4");
   place(0.52, 0.98, right);
   show(s, picture_of(t, close, right, false), close, "dark: discs with smooth joints");
