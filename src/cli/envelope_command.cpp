@@ -105,7 +105,7 @@ void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& e
       const Number* n = has_strength(r.outcome.status) ? analysis::find(r.numbers, "sigma_1") : nullptr;
       // A test that has not peaked has a largest stress, which is no strength.
       const bool known = n != nullptr && std::isfinite(n->value);
-      // A knee is where the curve bends without falling: the test ended at its largest strain.
+      // A knee has no fall behind it: more strain may bring a higher stress.
       const bool knee = known && r.outcome.status == Status::knee;
       knees = knees || knee;
       c.cells.push_back(known ? fmt::format("{:.2f}{}", n->value * 1e-6, knee ? "*" : "") : "-");

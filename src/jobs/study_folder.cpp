@@ -152,7 +152,7 @@ void check_study_outputs(const StudyFiles& files, const std::string& folder, con
     // A file that already says the same is no obstacle: a study is resumed by its first command, too.
     if (!io::holds(in(folder, name), content)) fresh.push_back(in(folder, name));
   io::check_outputs(fresh);
-  // Parts write no tables.
+  // A part has no tables: curves of some points would look like those of all.
   if (shard.n == 1) check_tables(folder, files.empty() ? "" : "out");
 }
 

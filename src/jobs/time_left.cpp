@@ -128,7 +128,7 @@ SecondsRange TimeLeft::of_stage(const PlannedStage& s) const {
 SecondsRange TimeLeft::of_this_stage(double now) const {
   if (next_ == 0) return {};
   PlannedStage stage = ahead_->stages[next_ - 1];
-  // It runs.
+  // It runs already, so that its least counts, too.
   stage.certain = true;
   const SecondsRange whole = of_stage(stage);
   const double gone = now - since_;

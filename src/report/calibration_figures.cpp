@@ -111,10 +111,12 @@ void add_between(const Calibration& c, const Target& test, Panel& panel) {
     const auto above = std::find_if(rows.begin(), rows.end(),
                                     [&](const Comparison& r) { return r.target.theta >= a.theta; });
     if (!same_test(a.test, test) || above == rows.end() || a.theta < rows.front().target.theta) continue;
+    // At the very first angle there is nothing below it; the step is 0 then.
     const Comparison& below = above == rows.begin() ? *above : *(above - 1);
     const double step = above->target.theta - below.target.theta;
     const double model =
         f * std::lerp(below.mean, above->mean, step > 0.0 ? (a.theta - below.target.theta) / step : 0.0);
+    // The discrepancy is a factor on the model, which between angles is taken as straight.
     band.points.push_back({a.theta, model * a.factor, model * a.low, model * a.high});
   }
   if (band.points.empty()) return;  // a modulus

@@ -29,6 +29,7 @@ Json failure_json(const FailureMode& f) {
           {"n_planes", f.n_planes}};
 }
 
+// SI units without exception: names of keys carry them, so that no reader has to know this program's tables.
 Json rows_json(const std::vector<Comparison>& rows) {
   Json list = Json::array();
   for (const Comparison& c : rows) {
@@ -64,6 +65,7 @@ Json verdict_json(const Calibration& c) {
   return {{"status", to_string(c.verdict.status)},
           {"sentence", verdict_words(c)},
           {"lines", verdict_lines(c)},
+          // Where nothing was judged, null: zeros would say that all was missed.
           {"counts", counts.has("values") ? finding_json(counts) : Json(nullptr)},
           {"good_for", findings_json(c.verdict.good_for)},
           {"not_good_for", findings_json(c.verdict.not_good_for)},
@@ -129,6 +131,7 @@ Json yardsticks_json(const Calibration& c) {
                     {"cells", e.cells},
                     {"model", e.model},
                     {"with_discrepancy", e.with_discrepancy},
+                    // The key, as in `left_out`; its name in words stands in `text`.
                     {"best", e.best != nullptr ? Json(e.best->key) : Json(nullptr)},
                     {"best_error", e.curve},
                     {"text", sentence(e)}});
@@ -148,6 +151,7 @@ Json discrepancy_json(const std::vector<AngleFactor>& factors) {
   return list;
 }
 
+// Kept so that an ensemble of another day can be corrected without the tests of the calibration.
 Json residuals_json(const std::vector<StrengthResidual>& residuals) {
   Json list = Json::array();
   for (const StrengthResidual& r : residuals)
@@ -178,6 +182,7 @@ FailureMode failure_from(const Json& j) {
           io::whole_number<int>(j.at("n_tests")), io::whole_number<int>(j.at("n_planes"))};
 }
 
+// Only what pictures and predictions need is read back; verdicts and texts stay as they were written.
 std::vector<Comparison> rows_of(const Json& list) {
   std::vector<Comparison> rows;
   for (const Json& j : list) {
@@ -218,6 +223,7 @@ std::vector<StrengthResidual> residuals_of(const Json& list) {
     StrengthResidual r;
     r.target.property = property_of(j.at("property")), r.target.theta = j.at("theta [deg]");
     r.target.confining = j.at("confining [Pa]"), r.target.mean = j.at("laboratory");
+    // Without a default: a residual that lacks a number would make a wrong band in silence.
     r.value = j.at("value"), r.noise = j.at("noise"), r.unknown = j.at("unknown");
     r.of_draws = j.at("draws").get<std::vector<double>>();
     all.push_back(std::move(r));
@@ -244,6 +250,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   for (const SetOption& o : c.asked)
     // With its type: a program should not have to parse "true".
     std::visit([&](const auto& value) { j["asked"][o.key] = value; }, o.value);
+  // Absent for the usual method: readers take it for the posterior.
   if (c.method == CalibrationMethod::sequence) j["method"] = "sequence";
   if (!c.effort.empty()) j["effort"] = c.effort;
   j["verdict"] = verdict_json(c);
@@ -269,6 +276,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["notes"] = findings_json(c.notes);
   // Written at the time, so that the text names the version that calibrated and not one that reads.
   j["methods"] = methods_text(c, version);
+  // For a reader who knows chains: whether the intervals rest on enough independent draws.
   j["mixing"] = {{"effective_sample_size", c.mixing.effective}, {"r_hat", c.mixing.r_hat}};
   j["runs"] = {{"strength_tests", c.counts.tests},
                {"of_these_coarse", c.counts.coarse},
@@ -278,6 +286,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+// A test holds this list against what is written, so that the reference cannot miss a key.
 const std::vector<FileKey>& calibration_keys() {
   static const std::vector<FileKey> keys = {
       {"format", "version of this file"},
@@ -414,6 +423,7 @@ std::string yade_script(const Recipe& r) {
              "        h = normal.dot(body.state.pos - centre)\n"
              "        if abs(h - spacing*round(h/spacing)) <= 0.5*zone + body.shape.radius:\n"
              "            body.state.onJoint, body.state.joint, body.state.jointNormal1 = True, 1, normal\n",
+             // In radians by Python itself: a person who edits the script thinks in degrees.
              b.k_n, b.k_s, b.sigma_n, b.cohesion, b.mu, b.psi, b.theta, b.spacing, b.zone_thickness,
              jointed ? "True" : "False");
 }

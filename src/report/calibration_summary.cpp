@@ -22,6 +22,7 @@ std::string open_parameters(const Calibration& c) {
 }
 
 std::vector<std::string> other_tests(const Calibration& c, const std::array<const char*, 3>& words) {
+  // Kinds of test as the table has them: "tension" would be untrue of a rock that was only sheared.
   const bool bends = has_tests_of(c, Part::toughness), shears = has_tests_of(c, Part::bedding);
   std::vector<std::string> some;
   if (has_tests_of(c, Part::tension) || !shears) some.emplace_back(words[0]);

@@ -40,6 +40,7 @@ const char* unit_head(Property p) { return shown_unit(p).name; }
 /// Laboratory, model, error.
 std::vector<std::string> cells_of(const Comparison& row) {
   const Property p = row.target.property;
+  // nu by difference, as it is judged: 20 % of 0.2 sounds worse than it is.
   return {number_text(row.target.mean * shown(p)), number_text(row.mean * shown(p)),
           !row.answered()     ? "-"
           : p == Property::nu ? fmt::format("{:+.2f}", miss(row))
@@ -81,6 +82,7 @@ std::string error_cell(const Comparison* r) {
 
 std::string target_table(const std::vector<Target>& targets, bool bedded, int terminal_width) {
   std::map<Line, std::map<Property, const Target*>> lines;
+  // A set, so that columns come in the order of the properties whatever the order of the table.
   std::set<Property> properties;
   bool assumed = false, sizes = false;  // discs of sizes of their own
   for (const Target& t : targets) {
@@ -176,6 +178,8 @@ std::vector<ParameterTable> matrix_tables(const Calibration& c) {
   const char* title = "Table 1. Intact rock";
   if (m.model == MatrixModel::parallel_bond)
     return {{title, "balls", joined({density, stiffness, friction})},
+            // A calibration seeks one modulus for contacts and bonds, printed in both places as the paper
+            // does.
             {"", "parallel bonds", joined({stiffness, strength})}};
   const Rows elements = {{"Elements of an interface", fmt::format("{} (given)", m.elements)}};
   return {{title, "flat joints", joined({density, stiffness, friction, strength, elements})}};
@@ -244,6 +248,7 @@ std::string angle_table(const Calibration& c, int terminal_width) {
     for (const auto& [theta, row] : cells) angles.insert(theta);
   Column label{is_bedded(c) ? "theta [deg]" : "", "", {}, true};
   std::vector<Columns> columns;
+  // Angles across: a table of a rock has seldom more than seven, but many tests.
   for (const double theta : angles)
     columns.push_back({{is_bedded(c) ? fmt::format("{:g}", theta) : "any direction", "", {}}});
   for (const std::map<double, Comparison>& cells : tests) {
@@ -330,6 +335,7 @@ std::string macro_table(const Calibration& c, int terminal_width) {
              [&](R r) { return fmt::format("{} ... {}", number_cell(r, r.low), number_cell(r, r.high)); })};
   Columns fit = {column("fit", [](R r) { return value_cell(&r); }),
                  column("error", [](R r) { return error_cell(&r); })};
+  // Side by side with the fit: a model that only remembers its packings shows here.
   const Columns unseen = {column("unseen", [&](R r) { return value_cell(row_of(c.verification, r.target)); }),
                           column("error", [&](R r) { return error_cell(row_of(c.verification, r.target)); })};
   std::string legend = "rock, 95 %: of the mean, by laboratory and model together\n";
@@ -391,6 +397,7 @@ std::string error_table(const Calibration& c, int terminal_width) {
   std::vector<Columns> groups;
   for (std::size_t i = 0; i < n_properties; ++i) {
     const auto p = static_cast<Property>(i);
+    // Only properties of the table: columns of dashes would crowd out the others.
     if (std::any_of(c.fitted.begin(), c.fitted.end(),
                     [&](const Comparison& row) { return row.target.property == p; }))
       groups.push_back(

@@ -49,6 +49,7 @@ Json axis_json(const Axis& a) {
 
 Json series_json(const Series& s) {
   Json texts = Json::array();
+  // All or none: the page reads columns of equal length.
   if (std::any_of(s.points.begin(), s.points.end(), [](const Point& p) { return !p.text.empty(); }))
     for (const Point& p : s.points) texts.push_back(p.text);
   return {{"name", s.name},

@@ -58,6 +58,7 @@ const std::vector<FigureKind>& figure_kinds() {
        stress_strain},
       {"damage", "", "stress and cracks by kind over strain, a panel per specimen of a run", 190.0, false,
        of_run<damage_figure>},
+      // Of a calibration too: the one kind that both have.
       {"anisotropy", "",
        "E, strengths, nu over the inclination: a run, or a calibration beside its laboratory", 190.0, false,
        anisotropy},
@@ -100,6 +101,7 @@ std::string figure_script(const FigureKind& kind, const FigureData& data, Figure
   const double w = width > 0.0 ? width : kind.width;
   if (kind.make != nullptr) return gnuplot_script(kind.make(data), format, w, out);
   GnuplotScript script;
+  // The picture is made first: its height follows from the specimen, and the head has to name it.
   const double height = kind.picture(script, data.run, w);
   return gnuplot_head(format, w, height, out) + script.text();
 }

@@ -70,6 +70,7 @@ std::string departures_text(const Recipe& r) {
                     m.stiffness_ratio, m.tension_ratio, m.cohesion_ratio, m.cohesion_oblique);
 }
 
+// Bonds of constant shear strength have no angle, and "0 deg" would read as a choice.
 std::string friction_angle_text(const MatrixRecipe& m) {
   return m.shear_strength == ShearStrength::constant ? "" : fmt::format("friction angle {:g} deg, ", m.phi);
 }
@@ -174,6 +175,7 @@ std::string end_of(const SpecimenRecord& test) {
   if (t.kind->runs_to_end)
     return fmt::format("past the peak, at the full {} of {:.3g} {}", axes.strain,
                        axes.strain_of(rows.back()) * axes.strain_factor, axes.strain_unit);
+  // Read again from the rows: a result keeps the sentence about its end, but a paper needs rule and limit.
   const auto peak = std::max_element(rows.begin(), rows.end(), [&](const HistoryRow& a, const HistoryRow& b) {
     return axes.stress_of(a) < axes.stress_of(b);
   });
@@ -333,6 +335,7 @@ std::string relations_text(const Calibration& c) {
 }
 
 std::string fit_text(const Calibration& c, const std::string& version) {
+  // Without a test of strength nothing but moduli was fitted, and half of the paragraph falls away.
   const std::int64_t n_ucs = c.counts.compression();
   std::string text = fmt::format(
       "The micro-parameters were calibrated with phyllite {} against laboratory values of {}: {}; E was "
@@ -365,6 +368,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
                         c.discarded.size() > 1 ? "other models" : "another model",
                         c.discarded.size() > 1 ? "were" : "was", fmt::join(c.discarded, "; "));
   text += relations_text(c);
+  // Direct solutions have no masses.
   return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
 

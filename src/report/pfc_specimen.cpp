@@ -191,6 +191,7 @@ std::string head(const Recipe& r, const Specimen& s) {
   return fmt::format("; {}, {}\n{}", comment_text(r.name), comment_text(s.name), sources);
 }
 
+// The test of this program step by step, so that both curves may differ by their engines alone.
 std::string test_text(const Recipe& r, const Specimen& s, const std::string& stem) {
   const TestRecipe& t = r.test;
   // Both platens move.
@@ -203,6 +204,7 @@ std::string test_text(const Recipe& r, const Specimen& s, const std::string& ste
       "; [P] wall.find, wall.vel.y, wall.disp.y, wall.force.contact.y, mech.timestep, array.create, string,\n"
       ";     file.open, file.write, file.close, model cycle in a command of FISH\n"
       "[top = wall.find(2)]\n[bottom = wall.find(1)]\n"
+      // FISH arrays do not grow; a test that fills it ends.
       "[rows = array.create(100000)]\n"
       "[rows(1) = 'axial_strain [1],axial_stress [Pa],n_cracks [1]']\n"
       "[n = 1]\n[strain = 0.0]\n[stress = 0.0]\n[peak = 0.0]\n[at_peak = 0.0]\n[cracks = 0]\n"
@@ -222,6 +224,7 @@ std::string test_text(const Recipe& r, const Specimen& s, const std::string& ste
       "  wall.vel.y(top) = -share*speed\nend\n"
       "fish define read_row\n"
       "  strain = (wall.disp.y(bottom) - wall.disp.y(top))/height\n"
+      // Mean of both platens: the difference of the two is inertia.
       "  stress = 0.5*(wall.force.contact.y(top) - wall.force.contact.y(bottom))/width\n"
       "  cracks = whole - unbroken\n"
       "  n = n + 1\n"

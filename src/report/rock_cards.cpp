@@ -116,6 +116,7 @@ std::string prediction_text(const Json& p) {
   return fmt::format(
       "Planned before it was run{}, {}: rms error {}, mean {:+.1f} %; {} of {} in the band. "
       "Yardstick: {}, {:.1f} %.\n",
+      // Blind: nothing was run with the measured values before.
       p.value("blind", false) ? ", blind" : "", what, error_text("", p.at("rms").get<std::vector<double>>()),
       100.0 * median(p.at("mean").get<std::vector<double>>()), p.at("inside").get<int>(),
       p.at("of").get<int>(), p.at("yardstick").get<std::string>(),
@@ -176,6 +177,7 @@ std::string rock_card(std::string_view text, int terminal_width) {
   for (const Json& p : card.value("predictions", Json::array())) out += prediction_text(p);
   if (card.contains("errors")) out += course_text(card);
   const std::string failure = failure_text(card, terminal_width);
+  // The table is fitted to the terminal already; broken again, its columns would fall apart.
   out = wrapped(out, terminal_width, 2) + failure;
   std::string rest = "\n";
   for (const Json& caution : card.at("cautions")) rest += "- " + caution.get<std::string>() + "\n";

@@ -318,6 +318,7 @@ Figure anisotropy_figure(const RunRecord& run, const std::vector<Target>& labora
 }
 
 Figure two_curves_figure(const History& ours, const History& theirs, const std::string& their_name) {
+  // Uniaxial compression, the only curve that foreign files are read for.
   Panel panel = curve_panel(TestCurve{});
   const auto add_curve = [&](const History& h, const std::string& name, Role role) {
     Series s{name, Mark::line, role};

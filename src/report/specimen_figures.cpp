@@ -51,6 +51,7 @@ Window whole(const SpecimenRecord& t) {
 void show(GnuplotScript& s, const Canvas& picture, const Window& w, const std::string& title) {
   s.add("set title '{}' offset 0,-0.7; set xrange [{}:{}]; set yrange [{}:{}]", title, 1e3 * w.x0, 1e3 * w.x1,
         1e3 * w.y0, 1e3 * w.y1);
+  // Axes in millimetres, though unseen: the frame of the close-up is placed by them.
   s.picture(picture, 1e3 * w.x0, 1e3 * w.y0, 1e3 * w.x1, 1e3 * w.y1);
 }
 
@@ -96,6 +97,7 @@ class ColorKey {
 /// Side by side, with room for titles and key [mm].
 double side_by_side(GnuplotScript& s, const RunRecord& run, double width, bool at_end) {
   constexpr double title = 6.0, widest = 60.0;
+  // gnuplot's own key cannot colour its words one by one.
   std::vector<ColorKey::Word> modes;
   for (std::size_t k = 0; k < 4; ++k)
     modes.push_back({fmt::format("■ {}", crack_names[k]), hex_color(crack_colors[k])});
@@ -106,6 +108,7 @@ double side_by_side(GnuplotScript& s, const RunRecord& run, double width, bool a
   double aspect = 0.0;
   for (const SpecimenRecord* t : tests) {
     const Window w = whole(*t);
+    // Specimens of several heights share one scale, set by the tallest.
     aspect = std::max(aspect, (w.y1 - w.y0) / (w.x1 - w.x0));
   }
   const double panel = std::min(width / n, widest), height = panel * aspect + title + key;
@@ -161,6 +164,7 @@ double draw_model(GnuplotScript& s, const RunRecord& run, double width) {
   s.add("set size ratio -1; unset border; unset tics; unset key; set multiplot");
   s.add("set object 1 rectangle from {},{} to {},{} front fillstyle empty border lc rgb '#000000' lw 1.4",
         1e3 * close.x0, 1e3 * close.y0, 1e3 * close.x1, 1e3 * close.y1);
+  // Margins on the screen and no layout: the two pictures differ in height.
   place(0.01, 0.45, left_height);
   show(s, picture_of(t, all, left, false), all,
        fmt::format("{:.3g} × {:.3g} mm, {}", 1e3 * w, 1e3 * h, title_of(t)));
