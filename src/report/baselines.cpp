@@ -78,7 +78,7 @@ double gaussian_process(Known others, const Target& cell) {
   std::vector<AngleCell> cells;
   double mean = 0.0;
   for (const Target* t : others) {
-    // K_Ic and its like may be stated as 0 by mistake; a logarithm of it would take the curve along.
+    // The logarithm of a zero would take the whole curve along.
     if (!(t->mean > 0.0)) return nan;
     // To first order the error of a logarithm is the relative error.
     const double relative = t->normal_error() / t->mean;

@@ -57,7 +57,6 @@ class LaboratoryPanels {
       panel.x = {"normal stress σ_n", "MPa"};
     else if (panel.title = particulars(test); !panel.title.empty())
       panel.title.erase(0, 2);  // ", "
-    // nu scatters most and decides least: in pages it stands behind a click.
     panel.aside = test.property == Property::nu;
     Series laboratory = laboratory_series(), single{"specimens", Mark::dots, Role::specimen};
     const double f = measured(test.property).shown.factor;

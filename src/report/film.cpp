@@ -121,7 +121,8 @@ std::vector<std::string> Film::encoder_arguments(const std::string& out) const {
                                         "-i",
                                         "-"};
   const auto add = [&](std::initializer_list<std::string> more) { arguments.insert(arguments.end(), more); };
-  // A palette of the film's own; dithering would flicker and triple the file.
+  // A palette of the film's own, as a GIF has 256 colours at most; dithering would flicker from frame to
+  // frame.
   if (out.ends_with(".gif"))
     add({"-filter_complex",
          labels() +
