@@ -31,6 +31,7 @@ struct FigureArguments {
 };
 
 /// What a folder holds, in words.
+// Found by the files themselves: users name a folder and seldom remember which verb wrote it.
 struct Held {
   bool variation, calibration;
   explicit Held(const std::string& folder)
@@ -53,6 +54,7 @@ std::vector<std::string> names_of_kinds(std::optional<bool> varied, bool with_nu
 
 void read_study(const std::string& folder, report::FigureData& data) {
   data.variation = io::read_variation(folder);
+  // With several parameters moving at once there is no curve over one of them to draw.
   if (data.variation.parameters.empty())
     throw InputError(Problem{folder, "", "",
                              "a study of the design one_at_a_time or full_factorial: figures show parameters "
@@ -62,6 +64,7 @@ void read_study(const std::string& folder, report::FigureData& data) {
 
 /// The specimens of a calibration: it has none where no strength was fitted.
 RunRecord specimens_of(const std::string& folder) {
+  // Curves and pictures are of the calibrated rock as it broke, whose specimens lie below the calibration.
   const std::string specimens = jobs::specimens_in(folder);
   if (!jobs::holds_results(specimens))
     throw InputError(Problem{folder, "", "", "specimens of the calibrated rock",
@@ -95,6 +98,7 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
 constexpr const char* on_terminal = "terminal";
 
 /// The format that is asked for, else that of the name of the file, else SVG.
+// An ending that contradicts --format would make a PDF that a viewer opens as SVG.
 std::string format_of(const FigureArguments& args) {
   std::string ending = std::filesystem::path(args.out).extension().string();
   if (!ending.empty()) ending.erase(0, 1);
@@ -128,6 +132,7 @@ int draw(FigureArguments args, int columns) {
   const std::string format = format_of(args);
   io::check_ending(args.out, {".svg", ".pdf", ".png"});
   const Held held(args.result);
+  // Before the data are read: a folder of many specimens takes seconds to read for a misspelt kind.
   const report::FigureKind& kind = report::figure_kind(args.kind.empty() ? held.usual_kind() : args.kind);
   io::check_ending(args.data, {".csv"});
   if (!args.data.empty()) io::check_outputs({args.data}, "data");
@@ -137,13 +142,16 @@ int draw(FigureArguments args, int columns) {
                              "gnuplot has no way to write others"});
   const report::FigureData data = data_for(kind, held, args);
   const std::string table = args.data.empty() ? "" : report::figure_csv(kind, data);
+  // Text goes to the terminal whatever --out says, and needs no gnuplot on the machine.
   if (format == on_terminal) {
+    // On a pipe there is no width to ask for; 80 columns fit into mails and logs.
     constexpr int usual_columns = 80;
     print_out("{}", report::figure_text(kind, data, columns > 0 ? columns : usual_columns));
     return tell_provenance(data.run, 0);
   }
   // Where the user stands and not in the folder of results, which is left as it was.
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
+  // Made beside its place and moved there: where gnuplot fails, an older figure stays as it was.
   make_file_or_stop(args.out, [&](const std::string& temporary) {
     sheet.format = report::figure_formats().at(format), sheet.out = temporary;
     const std::string script = report::figure_script(kind, data, sheet);
@@ -154,6 +162,7 @@ int draw(FigureArguments args, int columns) {
   return tell_provenance(data.run, 0);
 }
 
+// From the list of kinds, so that --help cannot miss one that was added.
 std::string kinds_text() {
   std::string text = "what to draw; default: stress_strain, anisotropy of a calibration, modulus of a study:";
   for (const report::FigureKind& k : report::figure_kinds())

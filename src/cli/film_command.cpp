@@ -22,6 +22,7 @@ struct FilmArguments {
 /// The exit code.
 int make_film(const FilmArguments& args) {
   const RunRecord run = io::read_run(args.result);
+  // Throws before ffmpeg starts where the run has kept no frames: no empty file is left.
   const report::Film film(run, args.film);
   const std::atomic<bool>* stop = stop_on_interrupt();
   make_file_or_stop(args.out, [&](const std::string& temporary) {
@@ -48,6 +49,7 @@ void add_film_command(CLI::App& app, Session& session) {
                    "folder that `phyllite run` wrote, `specimens` of a calibration, or one specimen of them")
       ->required()
       ->type_name("FOLDER");
+  // ffmpeg chooses container and codec by the ending, and others would fail only after the first frame.
   verb->add_option("--out", args->out, "file that ends in .webm, .mp4 or .gif")
       ->type_name("FILE")
       ->check([](const std::string& name) {

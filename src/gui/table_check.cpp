@@ -41,6 +41,7 @@ int column_of(const io::Table& table, int line, const Problem& problem) {
   int found = -1;
   for (std::size_t i = 0; i < cells->size(); ++i) {
     if (!quoted((*cells)[i])) continue;
+    // Two equal cells: pointing at the wrong one is worse than pointing at the line.
     if (found >= 0) return -1;
     found = static_cast<int>(i);
   }
@@ -51,9 +52,11 @@ Json problem_json(Problem problem, const std::string& toml_file, const std::stri
                   const io::Table& table) {
   const int in_table = line_in(problem.where, table_file), in_rock = line_in(problem.where, toml_file);
   const bool of_table =
+      // Sheets of a workbook are named in brackets.
       in_table > 0 || problem.where == table_file || problem.where.starts_with(table_file + " [");
   const int line = of_table ? in_table : in_rock;
   const int column = in_table > 0 ? column_of(table, in_table, problem) : -1;
+  // The page shows where: the name of a file would stand in every message.
   if (of_table || in_rock > 0 || problem.where == toml_file) problem.where.clear();
   if (problem.key.empty()) std::swap(problem.key, problem.value);  // "4 cells: expected ..."
   return {{"where", of_table ? "table" : "rock"},
@@ -112,6 +115,7 @@ void add_check(const Rock& rock, Json& answer) {
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
   Json answer = {{"bedded", nullptr}, {"figure", nullptr}};
+  // Every key in every answer: the page draws empty lists and needs no case for a table that is wrong.
   for (const char* list : {"problems", "doubts", "notes", "targets", "statements", "parameters", "models",
                            "limits", "in_maps", "summary", "forecast"})
     answer[list] = Json::array();
@@ -119,6 +123,7 @@ Json check_answer(const std::string& name, const std::string& toml, const std::o
   try {
     add_check(rock::parse_rock(toml, toml_file, {table, {}}), answer);
   } catch (const InputError& e) {
+    // Read once more for the places of the cells, which the reader of rocks does not keep.
     const io::Table cells = io::parse_table(table.value_or(""), table_file);
     for (const Problem& p : e.problems())
       answer["problems"].push_back(problem_json(p, toml_file, table_file, cells));

@@ -89,6 +89,7 @@ Recipe recipe_of(const RockModel& model) {
   Recipe recipe;
   recipe.matrix.model = model.matrix;
   recipe.bedding.resize(model.joints ? 1 : 0);
+  // Any value that is no default will do: a parameter belongs to the model once its feature is switched on.
   if (model.bridges) recipe.bedding.front().persistence = 0.5;
   if (model.directions) recipe.matrix.cohesion_ratio = 2.0;
   return recipe;
@@ -106,6 +107,7 @@ std::string models_of(const Parameter& p) {
     const std::string word = m.matrix == MatrixModel::flat_joint ? "flat joints" : "parallel bonds";
     if (matrix.find(word) == matrix.npos) matrix += (matrix.empty() ? "" : ", ") + word;
   }
+  // From the widest to the narrowest: the first description that fits covers all models found.
   if (all) return "all";
   if (joints) return "joints";
   if (directions) return planes ? "directions" : "directions alone";
@@ -114,6 +116,7 @@ std::string models_of(const Parameter& p) {
 
 std::string parameter_row(const Parameter& p) {
   const Range& r = p.range;
+  // Ratios and multiples of a scale have no unit; angles are the only ones that have.
   const std::string unit = r.of == nullptr && std::string_view(p.unit) == "deg" ? " deg" : "";
   return fmt::format("| {} | `{}` | {:.3g}{} | {:g}{} | {:g}{} | {} | {} | {} |\n", sought(p).symbol, p.key,
                      r.low, unit, r.high, unit, r.usual, unit,
@@ -127,6 +130,7 @@ std::string parameter_rows() {
   for (const List list : {List{elastic_parameters}, List{strength_parameters}})
     for (const RockModel& m : rock_models())
       for (const Parameter* p : list(recipe_of(m))) {
+        // A parameter occurs in many models and has one row, where it comes first.
         if (std::find(seen.begin(), seen.end(), p) != seen.end()) continue;
         seen.push_back(p);
         text += parameter_row(*p);
@@ -152,6 +156,7 @@ std::string packing_rows() {
   const auto row = [](std::int64_t first, std::int64_t end, const char* use) {
     return fmt::format("| {} | {} |\n", span(first, end), use);
   };
+  // The search takes seeds on both sides of the ensemble's; each range is a row of its own.
   const std::int64_t behind_ensemble =
       p.first_of_ensemble + static_cast<std::int64_t>(calibrate::ensemble_size);
   return row(p.fit.front(), p.fit.back() + 1, "elastic fit, and the search") +
@@ -166,6 +171,7 @@ std::string option_rows() {
   std::string text;
   for (const CalibrationOption& o : calibration_options()) {
     const OptionValue value = o.value(CalibrationRequest());
+    // "false" and an empty text are defaults that nobody would type.
     const bool given = !std::holds_alternative<bool>(value) && value != OptionValue(std::string());
     const std::string shown = given ? option_text(value) : "";
     text += fmt::format("| `--{}` | {} | {} | {} |\n", o.word(),

@@ -19,10 +19,12 @@ namespace fs = std::filesystem;
 constexpr const char* calibration_file = "calibration.json";
 
 bool has(const std::string& folder, const char* file) {
+  // A folder that cannot be looked into holds nothing to show; reading it says why.
   std::error_code none;
   return fs::exists(fs::path(folder) / file, none);
 }
 std::string text_of(const std::string& folder, const char* file) {
+  // A page is also made of folders in which some file was deleted: that part is left out.
   return has(folder, file) ? io::read_written((fs::path(folder) / file).string()) : "";
 }
 
@@ -44,6 +46,7 @@ report::PageExtras of_study(const std::string& folder) {
     const io::Table table = io::parse_table(text_of(folder, "effects.csv"), folder + "/effects.csv");
     if (!table.problems.empty()) throw InputError(table.problems);
     extras.effects.push_back(table.header);
+    // As text: the page shows the table as it is, and rounds nothing.
     for (const io::TableRow& row : table.rows) extras.effects.push_back(row.cells);
   }
   return extras;
@@ -59,8 +62,10 @@ Calibration read_calibration(const std::string& folder) {
 }
 
 FolderReport read_report(const std::string& folder) {
+  // Before a run: a calibration has results of tests below it, but its page is another.
   if (holds_calibration(folder)) {
     const std::string specimens = specimens_in(folder);
+    // An elastic calibration has broken no specimen.
     return {holds_results(specimens) ? io::read_run(specimens) : RunRecord(), of_calibration(folder)};
   }
   if (io::holds_variation(folder)) return {{}, of_study(folder)};

@@ -17,6 +17,7 @@
 
 namespace phy::jobs {
 RockCheck check(const Rock& read) {
+  // Parameters need one model to be told of; the forecast below weighs all that the file allows.
   RockCheck found{Evidence(maps::with_model(read, read.layers, read.matrix)), Evidence(read)};
   const Evidence& evidence = found.evidence;
   found.doubts = survey::doubts_about(evidence);

@@ -23,6 +23,7 @@ namespace {
 
 Figure stress_strain(const FigureData& data) {
   Figure figure = stress_strain_figure(data.run);
+  // Empty axes would look like a fault of the drawing: say what the test lacks.
   if (!figure.panels.front().series.empty()) return figure;
   const Outcome o = data.run.tests.empty() ? Outcome{} : data.run.tests.front().result.outcome;
   throw InputError(Problem{"result", "", "", "a test that was loaded", o.reason + "; " + o.advice});
@@ -61,12 +62,14 @@ const std::vector<FigureKind>& figure_kinds() {
        stress_strain},
       {"damage", "", "stress and cracks by kind over strain, a panel per specimen of a run", 190.0, false,
        of_run<damage_figure>},
+      // Of a calibration too: the one kind that both have.
       {"anisotropy", "",
        "E, strengths, nu over the inclination: a run, or a calibration beside its laboratory", 190.0, false,
        anisotropy},
       {"modes", "", "share of each kind of crack in the specimens of a run", 90.0, false,
        of_run<modes_figure>},
       {"rose", "", "directions of the cracks of a run", 190.0, false, of_run<rose_figure>},
+      // No `make`: pictures of discs are pixels and go their own way.
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false, nullptr,
        draw_cracks},
       {"model", "fig2", "one specimen of a run with its bedding", 90.0, false, nullptr, draw_model},
@@ -84,6 +87,7 @@ const FigureKind& figure_kind(const std::string& word) {
   std::vector<std::string> names;
   std::string list;
   for (const FigureKind& k : figure_kinds()) {
+    // Readers of the paper ask for its figure by number.
     if (word == k.name || (*k.paper != 0 && word == k.paper)) return k;
     names.emplace_back(k.name);
     list += (list.empty() ? "" : ", ") + names.back();
@@ -103,6 +107,7 @@ std::string figure_script(const FigureKind& kind, const FigureData& data, Sheet 
     throw InputError(Problem{"command line", "--size", fmt::format("{:g}x{:g}", sheet.width, sheet.height),
                              "a width alone", "pictures of specimens are as high as the specimens"});
   GnuplotScript script;
+  // The picture is made first: its height follows from the specimen, and the head has to name it.
   sheet.height = kind.picture(script, data.run, sheet.width);
   return gnuplot_head(sheet) + script.text();
 }
@@ -130,9 +135,11 @@ std::string figure_text(const FigureKind& kind, const FigureData& data, int colu
   if (kind.make == nullptr)
     throw InputError(Problem{"command line", "--format", "terminal", "svg, pdf or png",
                              "specimens are pictures of discs, too fine for a terminal"});
+  // Fits with caption into a terminal of 24 lines.
   constexpr int rows = 20;
   std::string text;
   for (const Panel& panel : kind.make(data).panels) {
+    // Without colours: what is printed here is mostly redirected into a file or pasted.
     for (const std::string& line : terminal_plot(panel, columns, rows, false)) text += line + "\n";
     text += panel.caption.empty() ? "\n" : wrapped(panel.caption, columns) + "\n\n";
   }

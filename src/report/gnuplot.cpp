@@ -15,8 +15,10 @@ const std::map<std::string, FigureFormat>& figure_formats() {
 
 std::string GnuplotScript::block(const std::vector<Row>& rows) {
   std::string name = "$d" + std::to_string(n_blocks_++);
+  // Data blocks inside the script: no files that could be left behind or mixed up.
   data_ += name + " << EOD\n";
   for (const Row& row : rows) {
+    // gnuplot leaves a gap at this word, and would stop at "inf".
     for (const double v : row) data_ += std::isfinite(v) ? fmt::format("{:.8g} ", v) : "NaN ";
     data_ += "\n";
   }
@@ -35,6 +37,7 @@ void GnuplotScript::picture(const Canvas& canvas, double x0, double y0, double x
   add("plot '-' binary array=({},{}) flipy dx={:.9g} dy={:.9g} origin=({:.9g},{:.9g}) format='%uchar' using "
       "1:2:3 with rgbimage notitle",
       canvas.width(), canvas.height(), dx, dy, x0 + 0.5 * dx, y0 + 0.5 * dy);
+  // Raw bytes follow the command on standard input, zeros among them: the script is no C string.
   commands_ += canvas.rgb();
 }
 
@@ -61,6 +64,7 @@ std::string gnuplot_head(const Sheet& sheet) {
   const char* const labels = sheet.format == FigureFormat::svg
                                  ? "set ylabel offset 1; set y2label offset -1; set xlabel offset 0,0.6\n"
                                  : "set ylabel offset -0.3\n";
+  // Encoding first: the terminal chooses its fonts by it.
   return "set encoding utf8\nset terminal " + terminal + "\nset output " + gnuplot_string(file) +
          "\nset border 3 lw 0.8\nset tics nomirror out scale 0.5 font ',7'\n" + labels +
          "set key samplen 1.6 spacing 0.95 width -1 font ',7' noopaque\n";

@@ -51,6 +51,7 @@ Window whole(const SpecimenRecord& t) {
 void show(GnuplotScript& s, const Canvas& picture, const Window& w, const std::string& title) {
   s.add("set title '{}' offset 0,-0.7; set xrange [{}:{}]; set yrange [{}:{}]", title, 1e3 * w.x0, 1e3 * w.x1,
         1e3 * w.y0, 1e3 * w.y1);
+  // Axes in millimetres, though unseen: the frame of the close-up is placed by them.
   s.picture(picture, 1e3 * w.x0, 1e3 * w.y0, 1e3 * w.x1, 1e3 * w.y1);
 }
 
@@ -78,6 +79,7 @@ class ColorKey {
     std::string text, color;
   };
   ColorKey(std::vector<Word> words, double width) : words_(std::move(words)), width_(width) {
+    // Halved and not lessened by one, so that rows are alike in length.
     while (columns_ > 1 && row_length(0) > width) columns_ = (columns_ + 1) / 2;
   }
   double height() const { return 3.0 + row * static_cast<double>(rows()); }  // [mm]
@@ -111,6 +113,7 @@ class ColorKey {
 /// Side by side, with room for titles and key [mm].
 double side_by_side(GnuplotScript& s, const RunRecord& run, double width, bool at_end) {
   constexpr double title = 6.0, widest = 60.0;
+  // gnuplot's own key cannot colour its words one by one.
   std::vector<ColorKey::Word> modes;
   for (std::size_t k = 0; k < 4; ++k)
     modes.push_back({fmt::format("■ {}", crack_names[k]), hex_color(crack_colors[k])});
@@ -121,9 +124,11 @@ double side_by_side(GnuplotScript& s, const RunRecord& run, double width, bool a
   double aspect = 0.0;
   for (const SpecimenRecord* t : tests) {
     const Window w = whole(*t);
+    // Specimens of several heights share one scale, set by the tallest.
     aspect = std::max(aspect, (w.y1 - w.y0) / (w.x1 - w.x0));
   }
   const double panel = std::min(width / n, widest), height = panel * aspect + title + key;
+  // The same scale both ways: discs must stay round.
   s.add("set size ratio -1; unset border; unset tics; unset key");
   if (at_end) words.add_to(s, height);
   const double edge = 0.5 * (1.0 - n * panel / width) + 0.003;
@@ -135,6 +140,7 @@ double side_by_side(GnuplotScript& s, const RunRecord& run, double width, bool a
     if (t == tests.front() || t->scene.width != tests.front()->scene.width)
       add_scale(s, {.width = width, .height = height}, whole(*t), panel, {left, key});
     show(s, picture_of(*t, whole(*t), panel, at_end), whole(*t), title_of(*t));
+    // Key and bar belong to the sheet and are drawn with the first picture alone.
     s.add("unset label; unset arrow");
     left += panel;
   }
@@ -157,6 +163,7 @@ double draw_model(GnuplotScript& s, const RunRecord& run, double width) {
   const SpecimenRecord& t =
       **std::min_element(tests.begin(), tests.end(), [](const SpecimenRecord* a, const SpecimenRecord* b) {
         const auto far = [](const SpecimenRecord& r) {
+          // Near 30 degrees planes cross the specimen from side to side, and one sees best what bedding is.
           return r.result.intact ? 1e3 : std::abs(r.result.theta - 30.0);
         };
         return far(*a) < far(*b);
@@ -178,11 +185,13 @@ double draw_model(GnuplotScript& s, const RunRecord& run, double width) {
   s.add("set size ratio -1; unset border; unset tics; unset key; set multiplot");
   s.add("set object 1 rectangle from {},{} to {},{} front fillstyle empty border lc rgb '#000000' lw 1.4",
         1e3 * close.x0, 1e3 * close.y0, 1e3 * close.x1, 1e3 * close.y1);
+  // Margins on the screen and no layout: the two pictures differ in height.
   place(0.01, 0.45, left_height);
   const Sheet sheet{.width = width, .height = height};
   add_scale(s, sheet, all, left, {0.01 * width, edge + scale_room + 0.5 * (most - left_height)});
   show(s, picture_of(t, all, left, false), all,
        fmt::format("{:.3g} × {:.3g} mm, {}", 1e3 * w, 1e3 * h, title_of(t)));
+  // The frame of the window is drawn in the first picture, not in the window itself.
   s.add("unset object 1; set border 15 lw 1.4");
   place(0.52, 0.98, right);
   add_scale(s, sheet, close, right, {0.52 * width, edge + scale_room + 0.5 * (most - right)});
