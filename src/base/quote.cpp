@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/shell.hpp"
+
 namespace phy {
 namespace {
 
@@ -120,8 +122,8 @@ std::string sh_word(std::string_view text) {
 }
 
 std::string command_of(const std::vector<std::string>& words) {
-  std::string command = "phyllite";  // as it can be pasted into a shell
-  for (const std::string& word : words) command += " " + sh_word(word);
+  std::string command = "phyllite";
+  for (const std::string& word : words) command += " " + shell_word(word);
   return command;
 }
 

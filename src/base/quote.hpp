@@ -37,7 +37,7 @@ std::string csv_cell(std::string_view text);
 
 /// sh: one word that means itself, in quotes unless nothing in it means anything to a shell.
 std::string sh_word(std::string_view text);
-/// sh: this program with its words, "phyllite calibrate 'my rock.toml'".
+/// The shell of base/shell.hpp: this program with its words, "phyllite calibrate 'my rock.toml'".
 std::string command_of(const std::vector<std::string>& words);
 
 /// gnuplot: a string expression of parts in single quotes, in which it looks for neither commands

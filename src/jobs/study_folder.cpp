@@ -7,7 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/option.hpp"
-#include "base/quote.hpp"
+#include "base/shell.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
 #include "jobs/another_recipe.hpp"
@@ -134,7 +134,7 @@ void refuse_unmerged(const std::string& folder) {
     const std::vector<std::string> keys = study::Store(part, study::Sharing::alone).keys();
     if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
       throw IoError(fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole,
-                                sh_word(folder)));
+                                shell_word(folder)));
   }
 }
 
