@@ -6,7 +6,6 @@
 
 #include "base/largest_file.hpp"
 #include "base/quote.hpp"
-#include "base/shell.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/machine.hpp"
 #include "cli/suggested.hpp"

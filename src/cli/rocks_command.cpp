@@ -1,7 +1,7 @@
 // `phyllite rocks [NAME]`: the measured rocks that come with the program.
 #include <filesystem>
 
-#include "base/shell.hpp"
+#include "base/quote.hpp"
 #include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"

@@ -8,7 +8,6 @@
 
 #include "base/check.hpp"
 #include "base/quote.hpp"
-#include "base/shell.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"

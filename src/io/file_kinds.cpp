@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/largest_file.hpp"
-#include "base/shell.hpp"
+#include "base/quote.hpp"
 #include "io/file.hpp"
 
 namespace phy::io {

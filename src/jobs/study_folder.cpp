@@ -7,7 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/option.hpp"
-#include "base/shell.hpp"
+#include "base/quote.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
 #include "jobs/another_recipe.hpp"

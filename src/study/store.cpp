@@ -14,7 +14,7 @@
 #include "base/check.hpp"
 #include "base/hash.hpp"
 #include "base/largest_file.hpp"
-#include "base/shell.hpp"
+#include "base/quote.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
 #include "io/csv.hpp"
