@@ -53,7 +53,7 @@ void check_no_table(const std::string& given) {
         Problem{"command line", "rock new", table, "",
                 fmt::format("the file is there already. If it is your table: phyllite rock new {} "
                             "--data {}",
-                            sh_word(name), sh_word(table))});
+                            shell_word(name), shell_word(table))});
 }
 
 /// `data`: a table that is there; without it one is written, too. `like`: a measured rock, or nothing.
@@ -74,7 +74,7 @@ int rock_new(const std::string& given, const std::string& data, const std::strin
         std::filesystem::proximate(std::filesystem::absolute(data), from).generic_string();
     io::write_file(toml.string(), rock::rock_template(stem, table, start));
     print_out("{} names the table; how it is read and what it determines:\n  phyllite rock check {}\n",
-              toml.string(), sh_word(toml.string()));
+              toml.string(), shell_word(toml.string()));
     return 0;
   }
   check_no_table(given);
@@ -86,14 +86,14 @@ int rock_new(const std::string& given, const std::string& data, const std::strin
     throw;
   }
   print_out("{} and {}: fill in the table, then\n  phyllite rock check {}\n", toml.string(), csv.string(),
-            sh_word(toml.string()));
+            shell_word(toml.string()));
   return 0;
 }
 
 int rock_check(const std::string& path, bool all, const Session& session) {
   write_out(jobs::rock_check(rock::read_rock(path), path, session.terminal_width, n_threads(session), all));
   // The short form answers most questions; the long one has pages.
-  if (!all) write_out("Details: phyllite rock check " + sh_word(path) + " --all\n");
+  if (!all) write_out("Details: phyllite rock check " + shell_word(path) + " --all\n");
   return 0;
 }
 

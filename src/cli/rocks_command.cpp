@@ -37,7 +37,7 @@ void write_files(const RocksArguments& args) {
   io::check_writable(args.out);
   for (std::size_t i = 0; i < files.size(); ++i) io::write_output(paths[i], files[i].text);
   print_out("{}: {} files; what its table determines:\n  phyllite rock check {}\n", args.out, files.size(),
-            sh_word(paths.front()));
+            shell_word(paths.front()));
 }
 
 }  // namespace

@@ -127,8 +127,8 @@ int finish_study(const study::Plan& plan, const study::Store& store, const Place
   if (run.n_guest > 0) print_out("{} of them on other ranks\n", run.n_guest);
   // One hash of all results: two machines that print the same have the same results.
   print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
-  if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, sh_word(folder));
-  if (shard.n > 1) print_out("when all parts are done: phyllite study merge {}\n", sh_word(folder));
+  if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, shell_word(folder));
+  if (shard.n > 1) print_out("when all parts are done: phyllite study merge {}\n", shell_word(folder));
   return n_bad + n_left > 0 ? 1 : 0;
 }
 
@@ -175,7 +175,7 @@ study::Store store_in(const std::string& folder) {
   const std::string file = jobs::store_file(folder, {});
   if (!fs::exists(file))
     throw IoError(fmt::format("{}: has no store yet; phyllite study {} {}", file,
-                              jobs::shards_in(folder).empty() ? "resume" : "merge", sh_word(folder)));
+                              jobs::shards_in(folder).empty() ? "resume" : "merge", shell_word(folder)));
   return study::Store(file, study::Sharing::reading);
 }
 
@@ -212,7 +212,7 @@ int effects_of_study(const StudyArguments& args, const Session& session) {
   if (args.with_untrusted) rows = study::with_untrusted(std::move(rows));
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
-                             "`phyllite study resume " + sh_word(args.folder) + "`"});
+                             "`phyllite study resume " + shell_word(args.folder) + "`"});
   jobs::write_effects(plan, rows, folder);
   print_out("{}", study::effects_text(plan, rows, session.terminal_width));
   return 0;
@@ -248,7 +248,7 @@ int merge_stores(const StudyArguments& args, const Session& session) {
     report_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
       print_out("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
-                sh_word(args.folder));
+                shell_word(args.folder));
   }
   print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
   return n_different > 0 ? 1 : 0;

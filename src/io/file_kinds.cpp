@@ -93,14 +93,14 @@ void refuse_other_kind(const TomlValue& root, const std::string& where, const st
     if (wanted == kind.schema) return;
     other = &kind;
   }
-  if (other != nullptr) refuse(where, other->called, wanted, other->use + sh_word(where));
+  if (other != nullptr) refuse(where, other->called, wanted, other->use + shell_word(where));
 }
 
 std::string read_user_file(const std::string& path, const std::string& wanted) {
   const std::string ending = ending_of(path);
   const auto refuse_table = [&] {
     refuse(path, "a table", wanted,
-           "To make a rock file of it: phyllite rock new NAME --data " + sh_word(path));
+           "To make a rock file of it: phyllite rock new NAME --data " + shell_word(path));
   };
   for (const char* of_tables : {".csv", ".tsv", ".ags", ".xlsx", ".xls"})
     if (ending == of_tables) refuse_table();

@@ -142,7 +142,7 @@ void refuse_unmerged(const std::string& folder) {
     // Both lists of keys are sorted, as a store returns them.
     if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
       throw IoError(fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole,
-                                sh_word(folder)));
+                                shell_word(folder)));
   }
 }
 

@@ -166,7 +166,7 @@ constexpr std::size_t max_listed = 20;
       "{}: {} record(s) are not as this program stored them: changed by hand, or damaged. Restore the "
       "file from a copy, or remove them and run the study again: "
       "sqlite3 {} \"DELETE FROM specimen WHERE key IN ({})\"{}",
-      path, damaged.size(), sh_word(path), keys, list));
+      path, damaged.size(), shell_word(path), keys, list));
 }
 
 /// False if there was such a row already.
