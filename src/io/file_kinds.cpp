@@ -30,7 +30,7 @@ const std::vector<FileKind>& file_kinds() {
        "To test it: phyllite run "},
       {"rock",
        {"data", "sheet", "elastic_reading", "E_is", "layers", "confining", "grain_size", "first_packing",
-        "bedded", "brazilian", "columns"},
+        "bedded", "brazilian", "columns", "report"},
        {},
        "a rock file",
        "To calibrate it: phyllite calibrate "},

@@ -128,6 +128,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const SpecimenRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string(phy::program) : first.program;
+  j["head"] = extras.head;
   j["axes"] = axes_json(first.recipe.test.kind->curve);
   j["columns"] = columns_json(*first.recipe.test.kind);
   j["done"] = done_json(first.recipe);

@@ -4,6 +4,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "records/calibration.hpp"
@@ -22,6 +23,8 @@ struct PageExtras {
   std::optional<Variation> variation;             ///< of a study
   std::vector<std::vector<std::string>> effects;  ///< of a study: effects.csv with its header
   std::string recipe;                             ///< of a study or calibration; default: that of the run
+  std::vector<std::pair<std::string, std::string>>
+      head;  ///< of the first page, name and text: "author", "NN"
 };
 
 /// The page as text. A run without specimens gives a page that says so.

@@ -52,6 +52,12 @@ Field without_default(Field f) {
   return f;
 }
 
+Field report_key(const char* key, const char* meaning) {
+  Field f = rock_key(FieldKind::text, key, meaning);
+  f.table = "report";
+  return f;
+}
+
 Field column_key() {
   Field f = rock_key(FieldKind::choice, "\"header\"",
                      "what a column of the table holds, by its header; \"-\" passes it over");
@@ -109,6 +115,10 @@ const Fields& rock_fields() {
       as_in_recipe("test.disc_diameter", "brazilian", "diameter",
                    "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
       as_in_recipe("test.loading_angle", "brazilian", "loading_angle", "arc of each jaw; 0: flat platens"),
+      report_key("project", "what the report is for, on its first page"),
+      report_key("client", "for whom it is, there"),
+      report_key("laboratory", "who tested the rock, there"),
+      report_key("author", "who wrote the report, there"),
       column_key()};
   return fields;
 }
@@ -581,6 +591,21 @@ Rock parse_rock(std::string_view text, const std::string& path, const RockParts&
   Rock rock;
   RockReader(text, path, parts, rock).read();
   return rock;
+}
+
+ReportHead report_head(const std::string& path) {
+  // Not as a rock: what is wrong with its other keys is no matter of a report's first page.
+  std::vector<Problem> none;
+  const io::TomlValue root = io::parse_toml(io::read_user_file(path, rock_schema().name), path, none);
+  ReportHead head;
+  if (const io::TomlValue* data = root.find("data")) head.table = data->text;
+  const io::TomlValue* report = root.find("report");
+  if (report == nullptr) return head;
+  for (const Field& f : rock_fields())
+    if (const io::TomlValue* value = report->find(f.key);
+        f.table == "report" && value != nullptr && value->kind == io::TomlValue::Kind::text)
+      head.lines.emplace_back(f.key, value->text);
+  return head;
 }
 
 Rock rock_of(io::TomlValue keys, const std::string& where, const RockParts& parts) {

@@ -25,6 +25,18 @@ TEST_F(RockFile, DiscsHaveADiameterPerRowOrOneForAll) {
   EXPECT_DOUBLE_EQ(discs[2].diameter, 0.02);
 }
 
+// What the first page of a report says; a rock without the table says nothing there.
+TEST_F(RockFile, HeadOfAReport) {
+  const std::string more = "[report]\nauthor = \"A. N.\"\nproject = \"North tunnel\"\n";
+  EXPECT_EQ(rock(good, more).readings.size(), 6U);
+  const ReportHead head = report_head(at("r.toml"));
+  EXPECT_EQ(head.table, "r.csv");
+  EXPECT_THAT(head.lines,
+              ElementsAre(testing::Pair("project", "North tunnel"), testing::Pair("author", "A. N.")));
+  EXPECT_THAT(report_head(write("bare.toml", "data = \"r.csv\"\n")).lines, IsEmpty());
+  EXPECT_THAT(problems(good, "[report]\nauthr = \"A. N.\"\n"), Contains(HasSubstr("author")));
+}
+
 TEST_F(RockFile, ADiscLargerThanTheSpecimenOrAJawTooWideIsRefused) {
   const std::string csv = "theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,9,54\n45,60,,\n90,120,,\n";
   EXPECT_THAT(problems(csv, "[brazilian]\nloading_angle = \"120 deg\"\n"),

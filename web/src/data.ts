@@ -152,6 +152,7 @@ export interface Figures {
 interface RawReport {
   name: string;
   program: string;
+  head: [string, string][]; // of the first page, name and text: "author", "NN"
   axes: Axes;
   columns: Column[];
   done: { kind: string; kept: string | null; stress: number }; // test, and the stress [Pa] that it keeps, by its key
