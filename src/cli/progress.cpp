@@ -19,6 +19,14 @@ std::size_t line_columns() {
   return static_cast<std::size_t>(columns > 1 ? columns - 1 : 79);
 }
 
+/// Of the first letters of a text: a cut inside one would show as rubbish.
+std::size_t bytes_of(std::string_view text, std::size_t letters) {
+  std::size_t end = 0;
+  for (std::size_t n = 0; n < letters && end < text.size(); ++n)
+    end += std::max<std::size_t>(1, utf8_length(text.substr(end)));
+  return std::min(end, text.size());
+}
+
 // On a terminal the eye follows five drawings a second; a log of hours should stay readable.
 constexpr double between_drawings = 0.2, between_lines = 10.0;  // [s] on a terminal, on a pipe
 
@@ -34,7 +42,7 @@ void ProgressLine::show(const std::function<std::string(double)>& say) {
   std::string text = terminal_text(stage_ + say(seconds_since(start_)));
   stage_.clear();
   if (terminal_) {
-    text.resize(std::min(text.size(), line_columns()));
+    text.resize(bytes_of(text, line_columns()));
     clear();
     draw_lines();
     write_err(text);

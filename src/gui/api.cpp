@@ -323,10 +323,11 @@ Api::Work Api::work_in(const std::string& folder) {
 }
 
 std::string Api::state_of_calibration(const std::string& folder) {
-  const bool finished = exists(path_in(folder, "calibration.json"));
-  const Json reported = value_in(json_in(path_in(folder, jobs::watch_file)), {"state"});
+  // Asked first: a process that is gone by now has written its report.
   const Work work = work_in(folder);
   if (work.process != 0) return "running";
+  const bool finished = exists(path_in(folder, "calibration.json"));
+  const Json reported = value_in(json_in(path_in(folder, jobs::watch_file)), {"state"});
   // without a process "running" was killed; the report may be missing though all else is there
   if (finished && (reported.is_null() || reported == "finished")) return "finished";
   if (reported == "stopped" || reported == "running") return "stopped";

@@ -211,7 +211,7 @@ py::dict fit_goodman(const std::vector<double>& theta, const std::vector<double>
                      std::optional<double> E) {
   // The shorter list would be read beyond its end.
   if (theta.size() != moduli.size())
-    throw InputError(Problem{"fit_goodman", "E", std::to_string(moduli.size()) + " values",
+    throw InputError(Problem{"fit_goodman", "moduli", std::to_string(moduli.size()) + " values",
                              "one per inclination, " + std::to_string(theta.size()), ""});
   std::vector<theory::ModulusReading> readings;
   for (std::size_t i = 0; i < theta.size(); ++i) readings.push_back({theta[i], moduli[i]});

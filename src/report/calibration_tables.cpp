@@ -176,11 +176,15 @@ std::vector<ParameterTable> matrix_tables(const Calibration& c) {
     return all;
   };
   const char* title = "Table 1. Intact rock";
-  if (m.model == MatrixModel::parallel_bond)
+  if (m.model == MatrixModel::parallel_bond) {
+    // A calibration seeks one modulus for contacts and bonds, printed in both places as the paper does. A
+    // recipe whose moduli were not sought may have two.
+    const bool one = m.E_b == m.E_c && m.bond_ks_over_kn == m.ks_over_kn;
+    const Rows of_bonds = {{"Modulus E_b [GPa]", cell(c, m.E_b, GPa)},
+                           {"Stiffness ratio k_s/k_n", cell(c, m.bond_ks_over_kn, 1.0)}};
     return {{title, "balls", joined({density, stiffness, friction})},
-            // A calibration seeks one modulus for contacts and bonds, printed in both places as the paper
-            // does.
-            {"", "parallel bonds", joined({stiffness, strength})}};
+            {"", "parallel bonds", joined({one ? stiffness : of_bonds, strength})}};
+  }
   const Rows elements = {{"Elements of an interface", fmt::format("{} (given)", m.elements)}};
   return {{title, "flat joints", joined({density, stiffness, friction, strength, elements})}};
 }
