@@ -225,7 +225,6 @@ class Trial {
       c.notes.insert(c.notes.end(), results_.begin(), results_.end());
       c.notes.push_back({FindingKind::model_kept, {}, {}, {found.by->name()}});
     }
-    // What the maps say comes after the choice: of models that were given up nobody asks.
     for (Finding& f : maps::reach_of(found.by->evidence, options_.effort.name == quick_effort.name))
       c.reach.push_back(std::move(f));
     // The sequence takes whichever model it is given, so that another one is no advice there.

@@ -55,7 +55,6 @@ Discrepancy::Term Discrepancy::of(std::size_t residual) const {
   const StrengthResidual& own = residuals_[residual];
   const Group& group = group_of(own.target.property);
   const auto member = std::find(group.members.begin(), group.members.end(), residual);
-  // A residual that was learnt from has part of its own error in the prediction; a stranger has not.
   if (member != group.members.end())
     return term_of(group, group.process->of_cell(static_cast<std::size_t>(member - group.members.begin())));
   Term term = at(own.target);

@@ -107,7 +107,7 @@ Move stretched(const std::vector<Point>& walkers, std::size_t i, std::size_t oth
                const Uniforms& u) {
   constexpr double stretch = 2.0;  // Goodman & Weare's a
   const Point& partner = walkers[one_of(others, n_others, u(1))];
-  // The density 1/sqrt(z) from 1/a to a, by its inverse: forth and back are then as likely.
+  // The density 1/sqrt(z) from 1/a to a, by its inverse: but for the volume, forth and back are as likely.
   const double root = 1.0 + (stretch - 1.0) * u(2), z = root * root / stretch;
   // A stretch by z makes the volume z^(d - 1) as large, which the chance of the move has to make good.
   Move move{partner, (static_cast<double>(partner.size()) - 1.0) * std::log(z)};

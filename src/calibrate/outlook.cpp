@@ -75,7 +75,6 @@ class CostOfTests {
     PointCost point;
     const double of_contact = recipe.matrix.model == MatrixModel::flat_joint ? flat_joint_cost : 1.0;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      // It comes with the test that it is read in, and costs nothing.
       if (measured(targets_[i].property).read_in) continue;  // in a test of another
       const Recipe one = tests_.of(recipe, i, recipe.packing.seed, loading);
       point.cost += of_contact * study::expected_cost(one, tests_.peak_strain(i)), ++point.tests;

@@ -78,7 +78,7 @@ CalibrationOptions settled(CalibrationOptions options, const Evidence& evidence)
   const auto forecast = options.elastic_only ? std::nullopt : maps::forecast_of(evidence);
   options.effort = normal_effort;
   if (forecast && forecast->status == VerdictStatus::out_of_reach)
-    // A long search would find the same miss, only more exactly; the verdict says how to ask for it.
+    // A long search would find the same miss, only more exactly.
     options.effort = quick_effort, options.effort.foreseen = true;
   return options;
 }

@@ -47,7 +47,6 @@ const TestDescription& test_of(Property property) {
 Recipe tested_as(Recipe recipe, const Target& t) {
   const TestDescription& test = test_of(t.property);
   recipe.test.kind = test;
-  // Without one in its row the disc is the rock file's.
   if (t.diameter > 0.0) recipe.test.disc_diameter = t.diameter;
   if (test.kept_stress.value != nullptr) recipe.test.*test.kept_stress.value = t.confining;
   if (measured(t.property).along_bedding)

@@ -33,9 +33,8 @@ void add_tangents(Verified& v, const Moduli& moduli, const std::vector<Compariso
     if (p.target.confining == 0.0 && row_of(v.rows, p.target) != nullptr) read.push_back(p);
   if (read.empty()) return;
   const auto on_several = [](const Comparison& c) { return c.n_packings > 1; };
-  const std::vector<Comparison>& solved =  // on the packings of these tests
-                                           // Tests and solutions of the same specimens: between packings E
-                                           // differs by more than tests change it.
+  // Tests and solutions of the same specimens: between packings E may differ by more than tests change it.
+  const std::vector<Comparison>& solved =
       std::any_of(read.begin(), read.end(), on_several) ? v.rows : moduli.first;
   std::vector<double> changes;  // of E, logarithms
   for (Comparison& c : read) {
@@ -156,11 +155,11 @@ Verified verified(const StageTask& task, const Moduli& moduli, const Strengths& 
   Verified v = verified(moduli);
   const Recipe& recipe = strengths.fit.recipe;
   const bool read = task.scope.read_in_tests;
+  // The moduli were fitted anew since the elastic stage looked at these packings.
   if (read)
     v.rows = elastic_response(as_for_moduli(recipe, task.evidence.rock.model), task.evidence.moduli,
                               task.packings.unseen, task.simulator);
   std::vector<Target> tests = task.evidence.strengths;
-  // The moduli were fitted anew since the elastic stage looked at these packings.
   if (read) tests.insert(tests.end(), task.evidence.read_only.begin(), task.evidence.read_only.end());
   pictures = {pictures.at_once, with_pictures(recipe), tests, task.packings.unseen.front()};
   pictures.recipe.name = task.evidence.rock.name + ", on a packing that the fit has not seen";

@@ -36,9 +36,8 @@ struct SectionWriter {
   std::int64_t n_lost = 0;  // displacements and forces that no picture can show
   Json sections = Json::array();
   void add(const Numbers& numbers) {
-    // As many byte planes as the largest number needs.
-    // One byte plane for each byte that is used at all: planes of zeros would cost little once packed, but
-    // memory when read.
+    // As many byte planes as the largest number needs: planes of zeros cost little once packed, but memory
+    // when read.
     std::uint32_t all = 0;
     for (const std::int32_t v : numbers) all |= zigzag(v);
     const int planes = all < 1U << 8U ? 1 : all < 1U << 16U ? 2 : all < 1U << 24U ? 3 : 4;

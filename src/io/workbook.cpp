@@ -24,6 +24,7 @@ namespace {
 constexpr std::size_t most_bytes = 64U << 20U;  // of one XML file
 constexpr int most_used_columns = static_cast<int>(most_table_columns);
 constexpr std::size_t most_sample_rows = 1000;  // that show where the table begins
+// Each is read whole for a hint in a message: a workbook of hundreds must not take minutes for it.
 constexpr std::size_t most_sheets_tried = 20;
 constexpr int most_rows = 1048576,
               most_columns = 16384;  // of a sheet (ECMA-376 names no limit; these are Excel's)
