@@ -21,6 +21,7 @@ namespace {
 
 Evidence with_model(const Evidence& evidence, const Rock& rock) {
   Evidence with(rock, evidence.targets);
+  // Evidence is made anew from the rock, and would forget that this calibration is to do without maps.
   with.maps = evidence.maps;
   return with;
 }
@@ -65,6 +66,7 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
                                                   simulator, options.listener.begins);
     const Rock& rock = choice.rock();
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
+      // Shares of jointed planes are candidates too, but of one model: among them alone nothing was chosen.
       return r.layers != rock.layers || r.matrix != rock.matrix;
     });
     for (Finding& f : choice.findings()) result.notes.push_back(std::move(f));
@@ -73,6 +75,7 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
       Model other = {with_model(evidence, rival->rock), choice.share(*rival)};
       other.misses_modulus = rival->misses_modulus;
       if (!rival->misses_modulus) other.advice = choice.asked_for(*rival);
+      // A rival that would be refused must not end a calibration hours after it began.
       if (is_possible(other.evidence)) models.rivals.push_back(std::move(other));
     }
     result.rival = models.advice(0);
@@ -90,12 +93,15 @@ struct Missed {
     double squares = 0.0;
     for (const Comparison& row : c.verification)
       if (row.answered()) {
+        // In tolerances: 3 % of E weigh what 10 % of a tensile strength do.
         squares += std::pow(verdict::miss_of(row) / verdict::tolerance(row.target.property), 2.0);
         --unanswered;
       }
     if (unanswered < n_values) tolerances = std::sqrt(squares / static_cast<double>(n_values - unanswered));
   }
   bool operator<(const Missed& other) const {
+    // The root mean square passes over values without an answer. Alone it would favour the model that answers
+    // least.
     return std::pair(unanswered, tolerances) < std::pair(other.unanswered, other.tolerances);
   }
 };
@@ -121,13 +127,16 @@ class Trial {
   /// By the model that was taken and, as long as what was found is out of reach, by its rivals.
   Attempt run() {
     say_outlook(models_.taken, 0);
+    // Pictures at once only where no rival may follow: else they might be of a model that is given up.
     Tried found = by(models_.taken, models_.rivals.empty());
     for (std::size_t k = 0; k < models_.rivals.size() && tries(models_.rivals[k], found); ++k) {
       const Model& rival = models_.rivals[k];
       options_.listener.begins({FindingKind::course_model, {}, {}, {rival.name(), tried_.back()->name()}});
       say_outlook(rival, k + 1);
+      // The numbers on the screen are those of the model that was given up.
       options_.listener.estimates({});
       found = nearer_of(std::move(found), by(rival, false));
+      // Whoever is advised to try another model should not be sent to one that was tried here.
       found.attempt.calibration.rival = models_.advice(k + 1);
     }
     report_others(found);
@@ -169,6 +178,7 @@ class Trial {
     CalibrationOptions rest = options_;
     rest.max_tests = left();
     Tried one = {calibrate_by(model.evidence, known, rest, simulator_, pictures_at_once), &model};
+    // What a rival will cost shows only at its end: the dearest so far stands for it.
     n_one_ = std::max(n_one_, one.attempt.n_tests);
     tried_.push_back(&model), results_.push_back(result_of(one));
     return one;
@@ -194,6 +204,7 @@ class Trial {
 
   /// The one that is not out of reach, or else the nearer one.
   Tried nearer_of(Tried first, Tried second) const {
+    // Half a calibration cannot be compared. The whole one is kept, and says that it was stopped.
     if (second.status() == VerdictStatus::interrupted) {
       first.attempt.calibration.verdict = second.attempt.calibration.verdict;
       return first;
@@ -216,6 +227,7 @@ class Trial {
     }
     for (Finding& f : maps::reach_of(found.by->evidence, options_.effort.name == quick_effort.name))
       c.reach.push_back(std::move(f));
+    // The sequence takes whichever model it is given, so that another one is no advice there.
     if (c.verdict.status != VerdictStatus::out_of_reach || !method_of(c.method).compares_models) return;
     if (const auto nearest = maps::against_maps(found.by->evidence, recipes, c.verification))
       c.verdict.findings.insert(c.verdict.findings.begin(), *nearest);
@@ -230,6 +242,7 @@ SimulatorCount operator-(const SimulatorCount& a, const SimulatorCount& b) {
 
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& asked, Simulator& simulator) {
   const CalibrationOptions options = settled(asked, evidence);
+  // Refusals come first: none after the first solution, which may take minutes.
   check_budget(evidence, options);
   const auto start = std::chrono::steady_clock::now();
   const SimulatorCount before = simulator.count();
@@ -241,17 +254,20 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& asked,
     const Models models = models_of(evidence, result, options, simulator);
     Attempt attempt = Trial(models, result, options, simulator, before.compression()).run();
     result = std::move(attempt.calibration);
+    // A simulator may serve several calibrations, one after the other.
     result.counts = simulator.count() - before;
     if (result.verdict.status != VerdictStatus::interrupted)
       run_for_pictures(attempt.pictures, options.listener, simulator);  // which count for nothing
   } catch (const Stopped&) {  // while the models were compared, or at the pictures
     result.verdict = {VerdictStatus::interrupted, {{FindingKind::stopped}}};
   }
+  // Causes need the whole result: which models were tried, what was spent, what the maps say.
   verdict::explain(result);
   if (result.verdict.status == VerdictStatus::out_of_reach && result.rival &&
       result.verdict.next.advice != Advice::try_rival)  // something better was advised
     result.notes.push_back(*result.rival);
   Verdict& v = result.verdict;
+  // Rock without layers has no angles. The rooms that made these findings do not know the rock.
   for (auto* list : {&v.findings, &v.good_for, &v.not_good_for, &v.causes, &result.notes, &result.reach})
     *list = survey::cells_in(evidence.rock, std::move(*list));
   v.next = survey::cells_in(evidence.rock, {v.next}).front();

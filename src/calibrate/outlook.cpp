@@ -160,6 +160,7 @@ class ModelCourse {
     if (read)
       for (int k = 0; k < (has_coarse(strengths.settings()) ? 1 : most_softenings); ++k)
         stages_.push_back(whole.stage(Kind::course_softening, k == 0, n_softened)), add_refit();
+    // As verification.cpp decides it: specimens with a coarse stage keep to five packings.
     const bool may_grow = !has_coarse(strengths.settings());
     const auto most = static_cast<int>(may_grow ? verdict::most_packings : verification_packings);
     for (int n = verification_packings; n <= most; n += verification_packings)
@@ -195,6 +196,7 @@ class ModelCourse {
   /// What may come, but would go beyond the tests that are allowed.
   void drop_beyond_budget() {
     std::int64_t left = options_.max_tests;
+    // What is certain is paid first; only the rest competes for what is left.
     for (const PlannedStage& s : stages_) left -= s.certain ? s.compression : 0;
     std::erase_if(stages_, [&](const PlannedStage& s) {
       if (s.certain || s.compression == 0) return false;
@@ -226,8 +228,10 @@ Ahead behind(const std::vector<PlannedStage>& first, const std::vector<Evidence>
   std::int64_t left = options.max_tests - compression_of(first, true);
   for (const Evidence& rival : rivals) {
     const std::vector<PlannedStage> stages = ModelCourse(rival, options).stages();
+    // Such a trial would not begin: its certain tests are not paid for.
     if (left < compression_of(stages, true)) break;
     const auto n = static_cast<double>(std::max<std::int64_t>(1, compression_of(stages, false)));
+    // A rival may be cut short by the budget: then it costs the part that is paid.
     const double paid = std::min(1.0, static_cast<double>(left) / n);
     const Ahead one = ahead_of(stages);
     later.most_cost += paid * one.most_cost;

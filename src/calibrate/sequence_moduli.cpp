@@ -125,6 +125,7 @@ class SequenceOfModuli {
     const Parameter& E_c = parameter(fit_.recipe, MacroNumber::E);
     const Parameter& q = parameter(fit_.recipe, MacroNumber::nu);
     const double nu = nu_of(evidence_, E);
+    // nu before E: it does not depend on E_c, while E depends on k_s/k_n. So one turn of each is enough.
     E_c.set(fit_.recipe, E_c.get(fit_.recipe));  // contacts and bonds alike, as it is sought
     double ratio = q.get(fit_.recipe);
     if (std::isfinite(nu)) {
@@ -156,6 +157,7 @@ class SequenceOfModuli {
       Recipe recipe = fit_.recipe;
       p.set(recipe, factor * base);
       const double found = macro_at(recipe).*K / spacing();
+      // Where Eq. 1 finds no compliance the planes are infinitely stiff, and that is no point of a line.
       if (std::isfinite(found)) micro.push_back(factor * base), macro.push_back(found);
     }
     return fit_line(micro, macro);
@@ -188,6 +190,7 @@ class SequenceOfModuli {
     const double per_slope = 1.0 / (usual_slope * spacing());
     k_n.set(fit_.recipe, in_box(k_n, rock.K_n_delta * per_slope));
     k_s.set(fit_.recipe, in_box(k_s, rock.K_s_delta * per_slope));
+    // Across the layers E has k_n alone, at an angle both: so k_n comes first.
     fit_joint(k_n, &Macro::K_n_delta, "n", rock.K_n_delta);
     fit_joint(k_s, &Macro::K_s_delta, "s", rock.K_s_delta);
   }

@@ -37,6 +37,7 @@ std::optional<std::size_t> take(std::vector<std::size_t>& places, const std::vec
       if (best == places.end() || before(all[*it], all[*best])) best = it;
   if (best == places.end()) return {};
   const std::size_t place = *best;
+  // One UCS tells one strength: used twice, it would pull at both.
   places.erase(best);
   return place;
 }
@@ -105,11 +106,13 @@ class Sequence {
   bool moved_in(int round) {
     bool moved = false;
     for (const Step& step : steps_) {
+      // Not settled: the budget has ended it, and not the answer.
       if (left_ <= 0) return true;
       begins_({FindingKind::course_step,
                {cell_of(evidence_.strengths[step.target])},
                {{"round", static_cast<double>(round)}},
                {step.parameter->symbol}});
+      // seek() first: the other way round the steps behind the first that moves would be skipped.
       moved = seek(step) || moved;
     }
     return moved;
@@ -155,6 +158,7 @@ class Sequence {
     const std::vector<Target> tests = tests_to_read(evidence_);
     const auto n = static_cast<std::int64_t>(tests.size());
     if (left_ < n) return;
+    // Softening takes tests from the same budget as the strengths.
     left_ -= n, n_tests_ += n;
     fit_.softenings =
         softenings_of({fit_.recipe, fit_.recipe, tests, {seed_}, evidence_.rock.E_is}, simulator_);

@@ -90,6 +90,7 @@ void refuse_other_kind(const TomlValue& root, const std::string& where, const st
   const FileKind* other = nullptr;
   for (const FileKind& kind : file_kinds()) {
     if (!has_words_of(kind, root)) continue;
+    // A file with words of its own kind is taken for it: odd keys in it are reported one by one then.
     if (wanted == kind.schema) return;
     other = &kind;
   }

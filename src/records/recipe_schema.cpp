@@ -27,6 +27,7 @@ double as_number(const T& value) {
 }
 /// The laboratory test, as its place in the list.
 double as_number(const TestKind& kind) {
+  // All numbers of a field travel as double, so a kind of test is its place in the list.
   const auto tests = laboratory_tests();
   return static_cast<double>(std::find(tests.begin(), tests.end(), &*kind) - tests.begin());
 }
@@ -83,6 +84,8 @@ class Table {
   Field& add(FieldKind kind, const char* key, Range range, const char* meaning, Member member) {
     Field f = make_field(kind, name_, key, meaning);
     f.dimension = range.dimension, f.min = range.min, f.max = range.max;
+    // One pair of functions from one pointer to member: a key cannot be read from one number and written to
+    // another.
     f.get = [part = part_, member](const Recipe& r, std::size_t i) { return as_number(part(r, i).*member); };
     f.set = [part = part_, member](Recipe& r, std::size_t i, double v) { assign(part(r, i).*member, v); };
     fields_.push_back(std::move(f));
@@ -322,6 +325,7 @@ void add_test(Fields& fields) {
   t.choice("kind", names_of_tests(), "laboratory test", &T::kind);
   Field f;
   f.kind = FieldKind::quantities, f.table = "test", f.key = "angles", f.dimension = Dimension::angle;
+  // A plane is the same after half a turn: 180 would be 0 a second time.
   f.min = 0, f.max = 180, f.below_max = true;
   f.meaning = "one specimen per angle, turning the bedding so that the first set has it; empty: as it stands";
   f.list = [](Recipe& r) -> std::vector<double>& { return r.test.angles; };
@@ -340,6 +344,7 @@ void add_test(Fields& fields) {
            &T::ramp_strain);
   t.number("platen_friction", {0, 10}, "wall fric", "friction coefficient of the platens; not of brazilian",
            &T::platen_friction);
+  // Not 1: a test that ends at its peak never shows that it was one.
   t.number("stop_at", {0, 0.99}, "", "the test ends when the stress falls to this fraction of the peak",
            &T::stop_at);
   t.number("post_peak", {0, 10}, "",
@@ -397,7 +402,9 @@ void add_engine(Fields& fields) {
 
 /// With the default of every key, as in a file.
 Fields with_defaults(Fields fields) {
+  // Defaults are those of the structures themselves, and are written nowhere a second time.
   Recipe usual;
+  // A recipe without bedding has no defaults of bedding to read.
   usual.bedding.resize(1);
   for (Field& f : fields) f.default_text = print_field(f, usual, 0);
   return fields;
@@ -423,6 +430,7 @@ const Fields& recipe_fields() {
 }
 
 bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
+  // A key of another test has no effect: recipes that differ in it alone are one test, with one fingerprint.
   if (!f.test.empty() && f.test != recipe.test.kind->name) return false;
   const bool dispersed = f.table == "bedding" && !recipe.bedding[index].has_planes();
   if (dispersed && (f.key == "spacing" || f.key == "offset")) return false;
@@ -430,6 +438,7 @@ bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
   const bool of_parallel_bonds =
       f.table == "matrix" && (f.key == "stiffness_convention" || f.key == "E_b" ||
                               f.key == "bond_ks_over_kn" || f.key == "moment_contribution");
+  // Flat joints have no such numbers: written, they would look as if they had an effect.
   if (of_parallel_bonds && recipe.matrix.model != MatrixModel::parallel_bond) return false;
   return !f.omit_default || print_field(f, recipe, index) != f.default_text;
 }
@@ -443,6 +452,7 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
     case FieldKind::number: return print_number(f.get(recipe, index));
     case FieldKind::quantity: return toml_string(print_quantity(f.get(recipe, index), f.dimension));
     default: {
+      // The list is handed out to be changed, and the recipe is not to be.
       Recipe copy = recipe;
       std::vector<std::string> values;
       for (const double v : f.list(copy))
@@ -459,6 +469,8 @@ std::string keys_not_by_default(const Recipe& r) {
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
       const std::string value = print_field(f, r, i);
+      // A key that comes later stands at its default in all older recipes, and leaves their fingerprints
+      // alone.
       if (value == f.default_text || !is_written(f, r, i)) continue;
       text += of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path();
       text += " = " + value + "\n";

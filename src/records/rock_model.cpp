@@ -83,6 +83,7 @@ const RockModel* find_model(bool layered, LayerModel layers, MatrixModel matrix)
 }
 
 std::string text_of(const RockModel& model, std::optional<double> jointed_share) {
+  // The words are in the list; only those of bridges have a place for the share.
   return fmt::format(fmt::runtime(model.words),
                      jointed_share ? fmt::format("{:g}", *jointed_share) : "a share");
 }
@@ -95,6 +96,7 @@ const char* to_string(LayerModel model) {
 
 LayerModel layers_of(const Recipe& recipe) {
   for (const RockModel& m : rock_models())
+    // Whatever holds the grains: a recipe may be of a combination that no calibration knows.
     if (m.layered && has_layers_of(m, recipe)) return m.layers;
   return recipe.bedding.empty() ? LayerModel::directions : LayerModel::planes_and_directions;
 }
@@ -115,6 +117,7 @@ bool of_parallel_bonds(LayerModel model) {
   return model != LayerModel::choose && find_model(true, model, flat) == nullptr;
 }
 
+// Of the first set: tables know one direction of planes, and rock files refuse recipes with more.
 bool has_bridges(const Recipe& r) { return !r.bedding.empty() && r.bedding.front().persistence < 1.0; }
 
 double jointed_share(const Recipe& r) { return r.bedding.empty() ? 1.0 : r.bedding.front().persistence; }

@@ -153,6 +153,8 @@ class RockReader {
     rock_.model.bedding.resize(1);
     rock_.name = file_.name();
     const bool has_model =
+        // In this order: a size magnifies grains and planes, and what is stated of these stays as stated.
+        // Each builds on the one before, so the first failure ends it.
         read_recipe_file() && read_size() && read_grain_size() && read_layers() && read_matrix();
     read_disc();
     PackingRecipe& packing = rock_.model.packing;
@@ -245,6 +247,7 @@ class RockReader {
     rock_.matrix = rock_.model.matrix.model;
     if (is_given("matrix") || !is_given("recipe")) {
       const int asked = static_cast<int>(file_.number("matrix", 0.0));
+      // Nothing stands for "choose": models with either matrix are compared then.
       rock_.matrix.reset();
       if (asked > 0) rock_.matrix = static_cast<MatrixModel>(asked - 1);
     }
@@ -262,7 +265,9 @@ class RockReader {
   /// Where the recipe says its size; of a recipe that says none its name.
   std::string place_of_size() const {
     const std::string file = file_.beside(file_.text("recipe", ""));
+    // A recipe that a caller holds stands in no file that could be opened.
     if (parts_.recipe) return file_.text("recipe", "");
+    // Problems of the recipe were told when it was read.
     std::vector<Problem> none;
     const io::TomlValue root = io::parse_toml(io::read_file(file), file, none);
     const io::TomlValue* specimen = root.find("specimen");
@@ -358,6 +363,7 @@ class RockReader {
     for (const Field& f : recipe_fields()) {
       if (f.kind != FieldKind::quantity && f.kind != FieldKind::number && f.kind != FieldKind::integer)
         continue;
+      // A rock without layers has no set, whose numbers could be asked.
       const std::size_t n = f.table == "bedding" ? rock_.model.bedding.size() : 1;
       for (std::size_t i = 0; i < n; ++i)
         if (!within_range(f, f.get(rock_.model, i)))
@@ -394,12 +400,14 @@ class RockReader {
     std::vector<Problem> of_grains = found, all = cross(true), others = cross(false);
     std::erase_if(of_grains, [&](const Problem& p) { return !about_grains(p.key); });
     std::erase_if(found, [&](const Problem& p) { return about_grains(p.key); });
+    // Both runs tell what they find in one order, so that whatever only the first has is about the grains.
     for (std::size_t i = 0, next = 0; i < all.size(); ++i)
       if (next < others.size() && to_line(all[i]) == to_line(others[next]))
         ++next;
       else
         of_grains.push_back(all[i]);
     std::move(others.begin(), others.end(), std::back_inserter(found));
+    // One of them is enough: the others follow from the same wrong size.
     if (!of_grains.empty()) found.push_back(problem_of_grains(of_grains.front()));
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
@@ -460,6 +468,7 @@ class RockReader {
     if (rock_.bedded && !has_angles)
       problems_.push_back(
           {table_, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
+    // An empty table, or a column that is asked for already, has a message of its own.
     else if (!rock_.readings.empty() && !has_angles && !is_given("bedded") && !readings.asked_for_angles)
       problems_.push_back(
           {table_, "", "", "",
@@ -477,11 +486,13 @@ class RockReader {
   /// Angles of a rock without bedding have no meaning: all rows become replicates.
   void take_layers_away(bool has_angles) {
     remove_layers(rock_.model), rock_.model.test.angles.clear();
+    // Under this word the list of models has rock without layers.
     rock_.layers = LayerModel::planes;
     for (const char* key : {"bedding.spacing", "layers"})
       if (is_given(key))
         problems_.push_back({file_.place(key), key, "", "a rock with bedding",
                              "the table has no angles, or bedded = false: leave it out"});
+    // Cells are told apart by the angle: left in, it would split one rock into several.
     for (RockReading& r : rock_.readings) r.theta = 0.0;
     const auto sheared = std::find_if(rock_.readings.begin(), rock_.readings.end(),
                                       [](const auto& r) { return measured(r.property).along_bedding; });
@@ -526,6 +537,8 @@ class RockReader {
   }
   /// A header may say what E is; the file may not say otherwise.
   void settle_E_is(const Readings& readings) {
+    // To some laboratories E50 is a tangent, to others a secant: the name tells nothing, so the choice is
+    // said.
     if (readings.E_title == "E50" && !is_given("E_is"))
       rock_.notes.push_back(
           fmt::format("E50 is taken as \"{}\"; a secant is E_is = \"secant 50 %\"", to_string(rock_.E_is)));
@@ -546,7 +559,9 @@ class RockReader {
     bool nu = false, E = false;
     std::set<Property> kept;  // of tests that no calibration does
     for (const RockReading& r : rock_.readings) {
+      // Direct shear stands at 0 by convention, which is no inclination that was tested.
       if (!measured(r.property).along_bedding) angles.insert(r.theta);
+      // Said, because such a row is a value of the table and yet not found in the result.
       if (r.confining > 0.0 && !measured(r.property).under_stress) kept.insert(r.property);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
     }
@@ -565,6 +580,7 @@ class RockReader {
       problems_.push_back({path_, "elastic_reading", "plane strain", "a column nu",
                            "plane strain cannot be converted without it"});
     // Converting plane strain readings uses nu, and too large a nu leaves no positive E.
+    // On the means, as they are fitted: one odd specimen does not spoil a cell.
     for (const Target& t : of_property(targets_of(rock_), Property::E))
       if (!(t.mean > 0.0))
         problems_.push_back({where, "nu", "", fmt::format("a nu that leaves E({:g}) positive", t.theta),

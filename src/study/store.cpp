@@ -205,6 +205,7 @@ std::string hash_of(const std::vector<std::optional<StoredResult>>& rows) {
     if (row) sorted[row->key] = &row->result;
   Hash h;
   for (const auto& [key, result] : sorted) {
+    // Neither times nor hosts: the same study on another machine has the same fingerprint.
     h.add(key), h.add(std::string(to_string(result->outcome.status))), h.add(result->hash);
     for (const Number& n : result->numbers) h.add(n.name), h.add(n.value);
   }
