@@ -74,8 +74,7 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
   flush_out();
   job.finish();
-  const VerdictStatus status = result.verdict.status;
-  return status == VerdictStatus::out_of_reach || status == VerdictStatus::not_calibrated ? 1 : 0;
+  return misses_table(result.verdict.status) ? 1 : 0;
 }
 
 void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::CalibrationRequest& args) {

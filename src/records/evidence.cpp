@@ -76,6 +76,12 @@ std::int64_t Evidence::n_tests() const {
                        [](const Target& t) { return !measured(t.property).read_in; });
 }
 
+bool shows_layers(const std::vector<Target>& strengths) {
+  constexpr std::ptrdiff_t least_strengths = 4;
+  return std::ranges::any_of(strengths, [](const Target& t) { return t.property == Property::ucs; }) &&
+         std::ranges::count_if(strengths, is_expected) >= least_strengths;
+}
+
 double counted_error(const Target& modulus) {
   const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;
   return std::max(least, modulus.normal_error());
