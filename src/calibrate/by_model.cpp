@@ -7,6 +7,7 @@
 #include "calibrate/eq2.hpp"
 #include "calibrate/finer_grains.hpp"
 #include "calibrate/posterior_ensemble.hpp"
+#include "maps/reach.hpp"
 #include "survey/elastic_limits.hpp"
 #include "survey/identifiability.hpp"
 #include "verdict/cells.hpp"
@@ -164,20 +165,18 @@ Verdict judged(const Calibration& c, const Evidence& evidence, const Found& foun
   if (fit.nu_gave_way) r.E_before_nu_gave_way = fit.E_before;
   r.limits_of_table = limits_of(evidence, found);
   if (found.strengths) {
-    r.of_search = found.strengths->fit.findings;
+    r.of_search = found.strengths->fit.findings, r.search_settled = found.strengths->fit.shortage.settled;
     for (const Estimate& e : found.strengths->fit.parameters)  // an open one lies anywhere
       if (e.determined) r.parameters.push_back(e);
   }
-  r.verification = c.verification;
+  r.verification = c.verification, r.reach = c.reach;
   return verdict::judge(r);
 }
 
 /// "shale, calibrated", or what else stands in the recipe: the name goes into every file that holds it.
 std::string name_of(const Calibration& result, bool moduli, bool strength) {
-  if (result.verdict.status == VerdictStatus::out_of_reach)
-    return result.rock + ", the nearest model (out of reach)";
-  if (result.verdict.status == VerdictStatus::not_calibrated)
-    return result.rock + ", the nearest model (not calibrated)";
+  if (misses_table(result.verdict.status))
+    return result.rock + ", the nearest model (" + to_string(result.verdict.status) + ")";
   const bool open = result.verdict.status == VerdictStatus::not_decided;
   return result.rock +
          (!strength ? ", moduli calibrated, strengths given"
@@ -216,11 +215,12 @@ void conclude(Calibration& c, std::vector<Estimate>& estimates, const Found& fou
   const bool posterior = task.method().has_posterior, strength = found.strengths.has_value();
   c.recipe = ready_to_run(c.recipe, task.evidence);
   report_tests(*found.verified, c.notes);
+  c.reach = maps::reach_of(task.evidence, task.options.effort.name == quick_effort.name);
   c.verdict = judged(c, task.evidence, found);
   if (posterior)
     if (const auto finer = finer_grains(task, found)) c.reach.push_back(*finer);
   // An interval of the rock that leaves out what was measured on the rock contradicts itself.
-  if (c.verdict.status == VerdictStatus::out_of_reach && verdict::withdraw_intervals(c.fitted))
+  if (misses_table(c.verdict.status) && verdict::withdraw_intervals(c.fitted))
     c.notes.push_back({FindingKind::intervals_withdrawn});
   append(c.notes, found.elastic().notes);
   c.recipe.name = name_of(c, !found.elastic().parameters.empty(), strength);
@@ -228,7 +228,7 @@ void conclude(Calibration& c, std::vector<Estimate>& estimates, const Found& fou
   if (!posterior) return;
   // An effort is one of the search: moduli alone have none.
   if (strength) c.effort = task.options.effort.name;
-  add_identifiability(estimates, task.evidence, c.verdict.status != VerdictStatus::out_of_reach);
+  add_identifiability(estimates, task.evidence, !misses_table(c.verdict.status));
   // Packings that neither fit nor verification has seen: else the band of the draws would lack the scatter of
   // specimens.
   c.ensemble = posterior_ensemble(c.recipe, found.elastic().draws,

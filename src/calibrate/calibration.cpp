@@ -11,7 +11,6 @@
 #include "calibrate/model_trial.hpp"
 #include "calibrate/outlook.hpp"
 #include "maps/placing.hpp"
-#include "maps/reach.hpp"
 #include "survey/cells.hpp"
 #include "verdict/causes.hpp"
 #include "verdict/cells.hpp"
@@ -192,7 +191,7 @@ class Trial {
             {},
             {{"unanswered", static_cast<double>(missed.unanswered)},
              {"tolerances", missed.tolerances},
-             {"reached", one.status() == VerdictStatus::out_of_reach ? 0.0 : 1.0}},
+             {"reached", misses_table(one.status()) ? 0.0 : 1.0}},
             {one.by->name()}};
   }
 
@@ -202,20 +201,19 @@ class Trial {
            left() >= std::max(n_one_, least_tests(rival.evidence, options_));
   }
 
-  /// The one that is not out of reach, or else the nearer one.
+  /// The second where it meets the table, or else the nearer one.
   Tried nearer_of(Tried first, Tried second) const {
     // Half a calibration cannot be compared. The whole one is kept, and says that it was stopped.
     if (second.status() == VerdictStatus::interrupted) {
       first.attempt.calibration.verdict = second.attempt.calibration.verdict;
       return first;
     }
-    const bool taken =
-        second.status() != VerdictStatus::out_of_reach ||
-        Missed(second.attempt.calibration, n_values_) < Missed(first.attempt.calibration, n_values_);
+    const bool taken = !misses_table(second.status()) || Missed(second.attempt.calibration, n_values_) <
+                                                             Missed(first.attempt.calibration, n_values_);
     return taken ? std::move(second) : std::move(first);
   }
 
-  /// What the other models of a calibration came to, and what the maps say of the one that was taken.
+  /// What the other models of a calibration came to, and how near the maps are to a table that is missed.
   void report_others(Tried& found) const {
     Calibration& c = found.attempt.calibration;
     std::vector<Recipe> recipes = {found.by->evidence.rock.model};
@@ -225,10 +223,8 @@ class Trial {
       c.notes.insert(c.notes.end(), results_.begin(), results_.end());
       c.notes.push_back({FindingKind::model_kept, {}, {}, {found.by->name()}});
     }
-    for (Finding& f : maps::reach_of(found.by->evidence, options_.effort.name == quick_effort.name))
-      c.reach.push_back(std::move(f));
     // The sequence takes whichever model it is given, so that another one is no advice there.
-    if (c.verdict.status != VerdictStatus::out_of_reach || !method_of(c.method).compares_models) return;
+    if (!misses_table(c.verdict.status) || !method_of(c.method).compares_models) return;
     if (const auto nearest = maps::against_maps(found.by->evidence, recipes, c.verification))
       c.verdict.findings.insert(c.verdict.findings.begin(), *nearest);
   }

@@ -42,7 +42,7 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int thr
   posterior.learn();
   std::vector<std::size_t> mapped;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
-    if (maps::is_expected(posterior.targets()[i])) mapped.push_back(i);
+    if (is_expected(posterior.targets()[i])) mapped.push_back(i);
   }
   std::vector<double> errors(mapped.size());
   for_all(mapped.size(), threads, [&] {

@@ -260,7 +260,9 @@ Ahead Outlook::ahead() const {
 
 Outlook outlook_of(const Evidence& begins, int model, const std::vector<Evidence>& rivals,
                    const CalibrationOptions& options) {
-  Outlook course{model, model + static_cast<int>(rivals.size()), ModelCourse(begins, options).stages(), {}};
+  Outlook course{
+      model, model + static_cast<int>(rivals.size()), ModelCourse(begins, options).stages(), {}, {}};
+  course.first = ahead_of(course.stages);
   course.later = behind(course.stages, rivals, options);
   // of the model that is taken in the end, where another one may have followed
   if (course.models > 1 && !begins.strengths.empty() && !options.elastic_only)
@@ -276,7 +278,7 @@ Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& asked) {
   std::vector<Evidence> kinds = kinds_of(evidence, candidates);
   if (candidates.size() == 1 || !method_of(options.method).compares_models)
     return outlook_of(Evidence(candidates.front(), evidence.targets), 1, {}, options);
-  Outlook course{0, static_cast<int>(kinds.size()), {}, {}};
+  Outlook course{0, static_cast<int>(kinds.size()), {}, {}, {}};
   double cost = 0.0;
   for (const Rock& rock : candidates)
     cost += of_learning * static_cast<double>(evidence.strengths.size() * evidence.strengths.size()) +
@@ -284,13 +286,16 @@ Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& asked) {
   course.stages.push_back({Kind::course_models, true, cost});
   // whichever is taken: the quickest and nothing behind it, or one after the other
   course.later.least_cost = HUGE_VAL, course.later.least_tests = INT64_MAX;
-  std::vector<PlannedStage> none;
   for (const Evidence& kind : kinds) {
     const Ahead one = ahead_of(ModelCourse(kind, options).stages());
     course.later.least_cost = std::min(course.later.least_cost, one.least_cost);
     course.later.least_tests = std::min(course.later.least_tests, one.least_tests);
+    course.first.most_cost = std::max(course.first.most_cost, cost + one.most_cost);
+    course.first.most_tests = std::max(course.first.most_tests, one.most_tests);
   }
-  const Ahead all = behind(none, kinds, options);
+  course.first.least_cost = cost + course.later.least_cost;
+  course.first.least_tests = course.later.least_tests;
+  const Ahead all = behind({}, kinds, options);
   course.later.most_cost = all.most_cost, course.later.most_tests = all.most_tests;
   return course;
 }

@@ -71,6 +71,7 @@ SearchPlan plan_search(const Budget& budget, std::size_t n_ratios, std::int64_t 
       .of_effort = effort.points < normal_effort.points,
       .of_tests = budget.max_tests < usual * n_compressive,
       .foreseen = effort.foreseen,
+      .below_most = effort.points < efforts.back().points,
       .tests = std::max<std::int64_t>(0, usual - std::clamp(paid, least_points, most)) * n_compressive};
   if (effort.points > normal_effort.points && paid < most && !plan.shortage.any())
     plan.cut = Finding{FindingKind::search_cut,

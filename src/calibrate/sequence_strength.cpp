@@ -83,7 +83,7 @@ class Sequence {
       settled = !moved_in(round);
       if (!settled && refit_) read_moduli_anew();
     }
-    fit_.shortage.of_tests = !settled && left_ <= 0;
+    fit_.shortage.settled = settled, fit_.shortage.of_tests = !settled && left_ <= 0;
     if (!settled && left_ > 0)
       fit_.notes.push_back({FindingKind::sequence_unsettled, {}, {{"rounds", most_rounds}}});
     conclude();

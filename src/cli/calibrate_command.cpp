@@ -85,8 +85,7 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   job.finish();
   // A calibration with doubts has still an answer. Only one without a usable model counts as failed for
   // scripts.
-  const VerdictStatus status = result.verdict.status;
-  return status == VerdictStatus::out_of_reach || status == VerdictStatus::not_calibrated ? 1 : 0;
+  return misses_table(result.verdict.status) ? 1 : 0;
 }
 
 void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::CalibrationRequest& args) {

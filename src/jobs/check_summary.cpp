@@ -110,8 +110,9 @@ std::optional<Finding> without_scatter(const RockCheck& check) {
 /// Tests, time and models of the calibration; nothing can be fitted of some tables.
 void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines) {
   try {
-    const calibrate::Outlook ahead = calibrate::outlook_of(check.as_read, {});
-    lines.push_back(expected_course(ahead.ahead(), threads));
+    calibrate::CalibrationOptions options;
+    options.effort = calibrate::auto_effort;  // as a calibration has it unless it is told otherwise
+    lines.push_back(expected_course(calibrate::outlook_of(check.as_read, options), threads));
     // A check answers any table, also one from which no calibration could begin.
   } catch (const InputError&) {
     lines.push_back({Kind::nothing_to_fit});

@@ -20,6 +20,8 @@ using calibrate::PlannedStage;
 // Factors by which a time may be off: before anything has run, and when the speed is known. A cost is a guess
 // from the strengths of the table, and weaker points of a search end sooner (measured/time.csv).
 constexpr double doubt_at_first = 3.0, doubt_later = 2.0;
+// The same of the whole course of one model.
+constexpr double doubt_of_course = 1.4;
 // Of the least that is ahead, what counts as much as the first guess of the speed.
 constexpr double prior_share = 0.05;
 
@@ -57,21 +59,17 @@ double seconds_per_cost(int threads) {
   return of_one / threads;
 }
 
-SecondsRange expected_seconds(const calibrate::Ahead& ahead, double seconds_per_cost) {
-  // Doubt is a factor both ways: times err by multiples, not by minutes.
-  return {seconds_per_cost * ahead.least_cost / doubt_at_first,
-          seconds_per_cost * ahead.most_cost * doubt_at_first};
-}
-
-Finding expected_course(const calibrate::Ahead& ahead, int threads) {
-  const SecondsRange seconds = expected_seconds(ahead, seconds_per_cost(threads));
+Finding expected_course(const calibrate::Outlook& outlook, int threads) {
+  const calibrate::Ahead& one = outlook.first;
+  const double speed = seconds_per_cost(threads);
   return {FindingKind::course_expected,
           {},
-          {{"least_tests", static_cast<double>(ahead.least_tests)},
-           {"most_tests", static_cast<double>(ahead.most_tests)},
-           {"least_seconds", seconds.low},
-           {"most_seconds", seconds.high},
-           {"threads", static_cast<double>(threads)}}};
+          {{"least_tests", static_cast<double>(one.least_tests)},
+           {"most_tests", static_cast<double>(one.most_tests)},
+           {"least_seconds", speed * one.least_cost / doubt_of_course},
+           {"most_seconds", speed * one.most_cost * doubt_of_course},
+           {"threads", static_cast<double>(threads)},
+           {"models", static_cast<double>(outlook.models)}}};
 }
 
 void TimeLeft::outlook(const calibrate::Outlook& ahead, double now) {

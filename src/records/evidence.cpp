@@ -85,6 +85,12 @@ std::int64_t Evidence::n_tests() const {
                        [](const Target& t) { return !measured(t.property).read_in; });
 }
 
+bool shows_layers(const std::vector<Target>& strengths) {
+  constexpr std::ptrdiff_t least_strengths = 4;
+  return std::ranges::any_of(strengths, [](const Target& t) { return t.property == Property::ucs; }) &&
+         std::ranges::count_if(strengths, is_expected) >= least_strengths;
+}
+
 double counted_error(const Target& modulus) {
   // Few specimens may agree by chance. Without a floor one of them would outweigh all others.
   const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;

@@ -58,6 +58,14 @@ std::string inclination_of(const LabTest& test) {
   return "";
 }
 
+/// "a, b and c", the last behind a word of its own.
+std::string listed(const std::vector<std::string>& items, const char* last) {
+  if (items.size() < 2) return fmt::format("{}", fmt::join(items, ""));
+  return fmt::format("{}{}{}",
+                     fmt::join(items.begin(), items.end() - 1, items.front().starts_with(' ') ? "," : ", "),
+                     last, items.back());
+}
+
 }  // namespace
 
 std::string name_of(const LabTest& test) {
@@ -71,13 +79,31 @@ std::string name_of(const LabTest& test) {
 }
 
 std::string names_of(const std::vector<LabTests>& tests) {
-  std::vector<std::string> names;
+  struct Named {
+    const LabTest* test;  ///< nullptr: of several alternatives, or under a stress of its own
+    std::string name;
+    std::vector<std::string> places;
+  };
+  std::vector<Named> names;
   for (const LabTests& some : tests) {
+    const LabTest& first = some.any_of.front();
     std::vector<std::string> alternatives;
     for (const LabTest& test : some.any_of) alternatives.push_back(name_of(test));
-    names.push_back(fmt::format("{}", fmt::join(alternatives, ", or ")));
+    const bool plain =
+        some.any_of.size() == 1 && first.stress == StressAsked::any && first.where != Inclination::any;
+    const auto same = std::ranges::find_if(names, [&](const Named& n) {
+      return plain && n.test != nullptr && n.test->property == first.property;
+    });
+    if (same != names.end())  // named once, with every place
+      same->places.push_back(inclination_of(first));
+    else if (plain)
+      names.push_back({&first, measured(first.property).test_name, {inclination_of(first)}});
+    else
+      names.push_back({nullptr, fmt::format("{}", fmt::join(alternatives, ", or ")), {}});
   }
-  return fmt::format("{}", fmt::join(names, ", and "));
+  std::vector<std::string> texts;
+  for (const Named& n : names) texts.push_back(n.name + listed(n.places, " and"));
+  return listed(texts, ", and ");
 }
 
 std::string text_of(const Support& support) {

@@ -112,7 +112,7 @@ TEST(Words, NotesOfTheWay) {
                        {"more", 0.0}},
                       {},
                       Advice::longer_search}),
-            "The search was short (60 tests in compression by 2 models), and its estimate had not settled.");
+            "The search ended before its estimate had settled (60 tests in compression by 2 models).");
   EXPECT_EQ(sentence({Kind::search_short,
                       {},
                       {{"tests", 60.0},
@@ -294,7 +294,9 @@ TEST(Words, EveryKindOfACalibrationHasItsSentence) {
 }
 
 TEST(Words, EverySentenceIsAsShortAsTheHouseAsks) {
-  for (const Wording& w : words_of_calibration()) {
+  std::vector<Wording> all = words_of_calibration();
+  all.insert(all.end(), words_of_notes().begin(), words_of_notes().end());
+  for (const Wording& w : all) {
     std::istringstream text(sentence(specimen_of(w.kind)));
     std::size_t n = 0;
     for (std::string word; text >> word;) {

@@ -23,10 +23,15 @@ const std::vector<Wording>& words_of_course() {
       {Kind::course_expected,
        [](F f) {
          const std::string tests = range_text(f.number("least_tests"), f.number("most_tests"), "{:.0f}");
-         return fmt::format("A calibration takes {} tests, {} on this machine ({}).",
-                            tests == "0" ? "no" : tests,
+         const std::string more =
+             f.number("models") > 1.0
+                 ? fmt::format(" Where it ends out of reach, up to {} may follow, each as long.",
+                               counted_text(f.number("models") - 1.0, "more model"))
+                 : std::string();
+         return fmt::format("A calibration{} takes {} tests, {} on this machine ({}).{}",
+                            more.empty() ? "" : " by one model", tests == "0" ? "no" : tests,
                             duration_text(f.number("least_seconds"), f.number("most_seconds")),
-                            counted_text(f.number("threads"), "thread"));
+                            counted_text(f.number("threads"), "thread"), more);
        }},
       {Kind::course_models, [](F) -> std::string { return "Comparing the models of the rock"; }},
       {Kind::course_model,

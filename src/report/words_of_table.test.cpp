@@ -145,6 +145,17 @@ TEST(WordsOfTable, ARockWithoutBeddingHasNoAngle) {
   EXPECT_EQ(sentence(f).substr(0, 42), "Outlier? Line 23: UCS at 45 degrees is 63.");
 }
 
+TEST(WordsOfTable, RowsThatStandTwiceAreNamedByTheirLines) {
+  EXPECT_EQ(
+      sentence({Kind::rows_repeated,
+                {{Property::ucs, 30.0}, {Property::ucs, 45.0}},
+                {{"line", 3}, {"copy", 9}, {"line", 4}, {"copy", 10}},
+                {},
+                Advice::delete_copies}),
+      "Lines 3 and 9, 4 and 10 hold the same values (UCS at 30 and 45 degrees). Delete the copy, unless "
+      "another specimen had these values.");
+}
+
 TEST(WordsOfTable, AnglesAreAskedForByTheirName) {
   Finding f{Kind::angles_exchanged,
             {},
