@@ -16,6 +16,7 @@
 #include "io/toml_tree.hpp"
 #include "rock/file.hpp"
 #include "rock/template.hpp"
+#include "system/links.hpp"
 
 namespace phy::gui {
 
@@ -191,12 +192,12 @@ std::vector<int> calibration_numbers(const std::string& rock) {
 
 /// A path from this folder, links followed; nothing: it leads out, or cannot be found.
 std::optional<fs::path> below_home(const fs::path& path) {
-  std::error_code gone, error;
   // Both are followed to their ends: a link in the folder, and a folder that is itself a link.
-  const fs::path home = fs::canonical(".", gone), place = fs::weakly_canonical(home / path, error);
-  const fs::path below = place.lexically_relative(home);
+  const auto home = system::followed("."), place = system::followed(path);
+  if (!home || !place) return {};
   // Compared by parts: "/rocks-old" begins with "/rocks" and is not below it.
-  if (gone || error || below.empty() || *below.begin() == "..") return {};
+  const fs::path below = place->lexically_relative(*home);
+  if (below.empty() || *below.begin() == "..") return {};
   return below;
 }
 
