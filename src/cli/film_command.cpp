@@ -60,10 +60,10 @@ void add_film_command(CLI::App& app, Session& session) {
   verb->add_option("--width", args->film.width, "pixels")
       ->check(CLI::Range(320, 3840))
       ->capture_default_str();
-  verb->add_option("--seconds", args->film.seconds, "length")
+  verb->add_option("--seconds", args->film.seconds, "length of the film")
       ->check(within(0.5, 120.0))
       ->capture_default_str();
-  verb->add_option("--magnify", args->film.magnify, "of displacements")
+  verb->add_option("--magnify", args->film.magnify, "factor on displacements")
       ->check(within(0.0, 200.0))
       ->capture_default_str();
   verb->callback([args, &session] { session.exit_code = make_film(*args); });

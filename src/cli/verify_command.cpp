@@ -137,7 +137,7 @@ void add_verify_command(CLI::App& app, Session& session) {
   auto hash = std::make_shared<bool>(false);
   auto only = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand("verify", "compare the program with closed forms");
-  CLI::Option* page = verb->add_flag("--markdown", *markdown, "write the page docs/verification.md");
+  CLI::Option* page = verb->add_flag("--markdown", *markdown, "print the page docs/verification.md");
   CLI::Option* one = verb->add_option("case", *only, "run one case only, for example V6")
                          ->type_name("CASE")
                          ->check(suggested(ids_of_cases));

@@ -146,7 +146,7 @@ std::vector<std::pair<std::string, std::string>> departures(const Calibration& c
   std::vector<std::pair<std::string, std::string>> rows;
   // Rows only for what departs from the paper's model: its tables stay comparable line by line.
   if (m.model == MatrixModel::parallel_bond && m.moment_contribution < 1.0)
-    rows.emplace_back("Moment contribution beta", cell(c, m.moment_contribution, 1.0));
+    rows.emplace_back("Moment contribution beta_bar", cell(c, m.moment_contribution, 1.0));
   if (m.shear_strength == ShearStrength::cohesion_friction)
     rows.emplace_back("Friction angle phi [deg]", cell(c, m.phi, 1.0));
   if (m.unbonded_fraction > 0.0) rows.emplace_back("Share without a bond", cell(c, m.unbonded_fraction, 1.0));

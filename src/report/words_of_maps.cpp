@@ -90,7 +90,7 @@ const std::vector<Wording>& words_of_maps() {
          [](F f) {
            return fmt::format(
                "Of {:.0f} mapped specimens with {} the nearest misses the table by {} (rms, "
-               "scales free).",
+               "its moduli and its strengths scaled to the table).",
                f.number("specimens"), f.names.front(), percent_text(f.number("error")));
          }},
         {Kind::map_ratio, ratio},
