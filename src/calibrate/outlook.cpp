@@ -20,13 +20,19 @@ namespace {
 using Kind = FindingKind;
 
 // Direct solutions of one inclination by stage, in those of contacts that also pull; one-sided ones take five
-// times as long. Measured on five rocks (measured/time.csv).
-constexpr double one_sided = 5.0, of_first_fit = 12.0, of_packings = 50.0, of_more_packings = 120.0,
-                 of_eq2 = 30.0;
-// What draws and surrogates take beside the tests, per strength and batch, in the same unit as these.
-constexpr double of_learning = 4e6;
-constexpr double flat_joint_cost = 2.0;   // of a contact and cycle, over parallel bonds
-constexpr double bridged_packings = 3.0;  // that models with bridges are compared on
+// times as long. One costs a share of what expected_direct_cost() says of both presses. Measured on twenty
+// calibrations (measured/time.csv).
+constexpr double of_presses = 0.05, one_sided = 5.0, of_first_fit = 12.0, of_packing = 10.0,
+                 of_packing_anew = 17.0, of_eq2 = 30.0;
+// What draws and surrogates take beside the tests, per strength and batch, in the same unit as these; and
+// where models are compared, per pair of strengths.
+constexpr double of_learning = 4e6, of_comparing = 1.2e6;
+// A test goes on until it has lost a fifth or has twice the strain of its peak, which expected_cost() does
+// not count.
+constexpr double beyond_expected = 1.75;
+constexpr double least_packings = 5.0, most_packings = 20.0;  // of a fit of the moduli
+constexpr double flat_joint_cost = 2.0;                       // of a contact and cycle, over parallel bonds
+constexpr double bridged_packings = 3.0;                      // that models with bridges are compared on
 constexpr int most_softenings = 4, sequence_tests = 8, sequence_rounds = 4;
 
 /// E of the table nearest to an inclination [Pa]; without any that of the recipe.
@@ -77,7 +83,8 @@ class CostOfTests {
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       if (measured(targets_[i].property).read_in) continue;  // in a test of another
       const Recipe one = tests_.of(recipe, i, recipe.packing.seed, loading);
-      point.cost += of_contact * study::expected_cost(one, tests_.peak_strain(i)), ++point.tests;
+      point.cost += beyond_expected * of_contact * study::expected_cost(one, tests_.peak_strain(i));
+      ++point.tests;
       point.compression += is_compressive(targets_[i].property) ? 1 : 0;
     }
     return point;
@@ -107,7 +114,15 @@ class CostOfTests {
 double cost_of_solutions(const Evidence& evidence) {
   std::set<double> angles;
   for (const Target& t : evidence.moduli) angles.insert(t.theta);
-  return static_cast<double>(angles.size()) * study::expected_direct_cost(evidence.rock.model) / one_sided;
+  return static_cast<double>(angles.size()) * of_presses * study::expected_direct_cost(evidence.rock.model);
+}
+
+/// Packings that a fit of the moduli takes until their scatter is averaged out (elastic_fit.cpp): of layers
+/// thirty of 1,200 grains would do so, the finer the fewer.
+double packings_of_fit(const Evidence& evidence) {
+  constexpr double of_grains = 30.0 * 1200.0;
+  if (!evidence.rock.bedded) return least_packings;
+  return std::clamp(of_grains / study::expected_grains(evidence.rock.model), least_packings, most_packings);
 }
 
 class ModelCourse {
@@ -116,7 +131,8 @@ class ModelCourse {
       : evidence_(evidence),
         options_(options),
         scope_(scope_of(evidence, options)),
-        solutions_(cost_of_solutions(evidence)) {}
+        solutions_(cost_of_solutions(evidence)),
+        packings_(packings_of_fit(evidence)) {}
 
   std::vector<PlannedStage> stages() {
     if (scope_.moduli) add_moduli();
@@ -130,7 +146,8 @@ class ModelCourse {
   const Evidence& evidence_;
   const CalibrationOptions& options_;
   Scope scope_;
-  double solutions_;
+  double solutions_;  ///< cost of one at every inclination
+  double packings_;
   std::vector<PlannedStage> stages_;
 
   const Method& method() const { return method_of(options_.method); }
@@ -139,8 +156,9 @@ class ModelCourse {
   void add_moduli() {
     add(Kind::course_moduli, true, of_first_fit * solutions_);
     if (method().has_posterior) {
-      add(Kind::course_moduli_packings, true, of_packings * solutions_);
-      add(Kind::course_moduli_packings, false, of_more_packings * solutions_);
+      add(Kind::course_moduli_packings, true, of_packing * packings_ * solutions_);
+      add(Kind::course_moduli_packings, false,
+          of_packing * std::min(packings_, most_packings - packings_) * solutions_);
     }
     add(Kind::course_moduli_unseen, true, one_sided * verification_packings * solutions_);
   }
@@ -191,7 +209,7 @@ class ModelCourse {
   }
 
   /// The moduli anew behind the last stage: it has no beginning of its own.
-  void add_refit() { stages_.back().cost += (of_first_fit + of_packings) * solutions_; }
+  void add_refit() { stages_.back().cost += of_packing_anew * packings_ * solutions_; }
 
   /// What may come, but would go beyond the tests that are allowed.
   void drop_beyond_budget() {
@@ -281,7 +299,7 @@ Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& asked) {
   Outlook course{0, static_cast<int>(kinds.size()), {}, {}, {}};
   double cost = 0.0;
   for (const Rock& rock : candidates)
-    cost += of_learning * static_cast<double>(evidence.strengths.size() * evidence.strengths.size()) +
+    cost += of_comparing * static_cast<double>(evidence.strengths.size() * evidence.strengths.size()) +
             (has_bridges(rock.model) ? bridged_packings : 1.0) * of_first_fit * cost_of_solutions(evidence);
   course.stages.push_back({Kind::course_models, true, cost});
   // whichever is taken: the quickest and nothing behind it, or one after the other

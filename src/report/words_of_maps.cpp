@@ -47,9 +47,9 @@ const std::vector<Wording> forecasts = {
     {Kind::forecast_calibrated, [](F f) { return forecast(f, "end calibrated, or with few exceptions"); }},
     {Kind::forecast_excepted,
      [](F f) {
-       return forecast(f, f.cells.empty() ? "miss some values of the table"
-                                          : "miss values of the table. These contradict each other: " +
-                                                cells_text(f.cells));
+       return forecast(f, f.cells.empty()
+                              ? "miss some values of the table"
+                              : "miss values of the table that contradict others: " + cells_text(f.cells));
      }},
     {Kind::forecast_unresolved,
      [](F f) { return forecast(f, "meet the table, with too few specimens to show it"); }},
