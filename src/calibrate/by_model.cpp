@@ -131,7 +131,7 @@ void report_tests(const Verified& v, std::vector<Finding>& notes) {
 std::vector<Finding> limits_of(const Evidence& evidence, const Found& found) {
   if (!evidence.rock.bedded) return {};
   std::vector<Finding> limits = survey::elastic_limits(at_small_strain(evidence, found.softenings()).moduli);
-  if (found.strengths && evidence.rock.E_is != ModulusReading::small_strain)
+  if (!found.softenings().empty())
     for (Finding& f : limits) f.numbers.push_back({"at_small_strain", 1.0});
   return limits;
 }
