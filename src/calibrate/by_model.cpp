@@ -140,7 +140,10 @@ void report_tests(const Verified& v, std::vector<Finding>& notes) {
 /// Why no model has the table's moduli: of a rock with layers, what no layered elastic body can have.
 std::vector<Finding> limits_of(const Evidence& evidence, const Found& found) {
   if (!evidence.rock.bedded) return {};
-  return survey::elastic_limits(at_small_strain(evidence, found.softenings()).moduli);
+  std::vector<Finding> limits = survey::elastic_limits(at_small_strain(evidence, found.softenings()).moduli);
+  if (!found.softenings().empty())
+    for (Finding& f : limits) f.numbers.push_back({"at_small_strain", 1.0});
+  return limits;
 }
 
 /// Where nu is missed and an elastic body has the table: what smaller grains make of it.

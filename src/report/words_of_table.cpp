@@ -306,12 +306,14 @@ std::string no_layered_body(F f) {
   const char* which = f.kind == Kind::no_layered_body ? "Farthest from the nearest body:"
                       : f.cells.size() > 1            ? "By the other cells the odd one out is any of:"
                                                       : "By the other cells the odd one out is";
+  const std::string moduli = f.advice == Advice::check_nu ? "E and nu" : "E";
   return say(
-      f,
-      "No layered elastic body has this E{} within the errors: chi-square is {:.0f}, and above {:.0f} in "
-      "1 % of tables. {} {}.{}",
-      f.advice == Advice::check_nu ? " and nu" : "", f.number("chi_square"), f.number("limit"), which,
-      misfits(f), reading_of(f));
+      f, "{}: chi-square is {:.0f}, and above {:.0f} in 1 % of tables. {} {}.{}",
+      f.has("at_small_strain")
+          ? fmt::format("Taken back to small strain, {} of the table belong to no layered elastic body",
+                        moduli)
+          : fmt::format("No layered elastic body has this {} within the errors", moduli),
+      f.number("chi_square"), f.number("limit"), which, misfits(f), reading_of(f));
 }
 
 std::string no_planes(F f) {
