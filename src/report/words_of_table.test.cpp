@@ -156,5 +156,20 @@ TEST(WordsOfTable, TheCellThatBelongsToNoBodyIsNamedWithWhatTheOthersWant) {
       "errors). Check how nu was measured (it counts in the plane of load and dip), or leave it out.");
 }
 
+TEST(WordsOfTable, ModuliThatAreNotTheTablesOwnAreNamedSo) {
+  const std::string text = sentence({Kind::no_layered_body,
+                                     {{Property::E, 0.0}},
+                                     {{"laboratory", 43e9},
+                                      {"wanted", 36e9},
+                                      {"errors", 6},
+                                      {"chi_square", 211},
+                                      {"limit", 23},
+                                      {"at_small_strain", 1}},
+                                     {},
+                                     Advice::check_nu});
+  EXPECT_EQ(text.substr(0, text.find(':')),
+            "Taken back to small strain, E and nu of the table belong to no layered elastic body");
+}
+
 }  // namespace
 }  // namespace phy::report
