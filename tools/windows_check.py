@@ -18,6 +18,7 @@ import tempfile
 import time
 import urllib.error
 import urllib.request
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 WINE = ("/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/bin/wine")
@@ -114,6 +115,21 @@ def check_program(bench):
         wide += sum(m.startswith(("vmovup", "vmovdqu")) for m in stack)
     expect(wide > 100, "no vector is moved to the stack: this looks at the wrong code")
     return f"{bench.exe.stat().st_size / 1e6:.1f} MB, needs {len(libraries)} libraries of Windows; {wide} vector moves to the stack, none aligned"
+
+
+def check_archive(bench):
+    """What users unpack, alone in a folder: the example that its README names finds its table."""
+    (archive,) = bench.build.glob("phyllite-*-windows.zip")
+    with zipfile.ZipFile(archive) as zip_file:
+        zip_file.extractall(bench.folder / "unpacked")
+    (place,) = (bench.folder / "unpacked").iterdir()
+    expect(b"\r\n" in (place / "README.txt").read_bytes(), "README.txt has no line ends of Windows")
+    unpacked = Bench(place, bench.native, bench.folder, bench.short)
+    said = unpacked.windows("rock", "check", "examples\\demo\\boryeong.toml", where=place)
+    expect("phyllite rock check examples\\demo\\boryeong.toml --all" in said, said)
+    said = unpacked.windows("rock", "new", "my rock.toml", where=place)
+    expect('phyllite rock check "my rock.toml"' in said, said)
+    return f"{archive.stat().st_size / 1e6:.1f} MB; its example is read, commands are quoted for cmd.exe"
 
 
 def check_hash(bench):
@@ -344,8 +360,8 @@ def check_gui(bench):
             gui.process.kill()
 
 
-CHECKS = {f.__name__[6:]: f for f in (check_program, check_hash, check_run, check_tables, check_stop, check_open_files, check_gui, check_verify, check_calibrate, check_speed)}
-SHORT = ("program", "hash", "run", "tables", "stop", "gui")
+CHECKS = {f.__name__[6:]: f for f in (check_program, check_archive, check_hash, check_run, check_tables, check_stop, check_open_files, check_gui, check_verify, check_calibrate, check_speed)}
+SHORT = ("program", "archive", "hash", "run", "tables", "stop", "gui")
 
 
 def main():
