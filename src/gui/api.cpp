@@ -12,10 +12,12 @@
 #include "base/embedded.hpp"
 #include "base/quote.hpp"
 #include "base/version.hpp"
+#include "gui/grab.hpp"
 #include "gui/imports.hpp"
 #include "gui/options.hpp"
 #include "gui/project.hpp"
 #include "gui/recipes.hpp"
+#include "gui/results.hpp"
 #include "io/file.hpp"
 #include "io/json.hpp"
 #include "io/load.hpp"
@@ -26,6 +28,7 @@
 #include "jobs/folder_lock.hpp"
 #include "jobs/machine.hpp"
 #include "jobs/press_watch.hpp"
+#include "jobs/report.hpp"
 #include "jobs/rock_base.hpp"
 #include "records/test_description.hpp"
 #include "rock/file.hpp"
@@ -179,6 +182,17 @@ std::string folder_of(const std::map<std::string, std::string>& query) {
   return path_in(tests_of(name), test);
 }
 
+/// The recipe that a calibration has left.
+std::string model_of(const Json& asked) {
+  const std::string name = asked.at("name");
+  check_name(name);
+  const std::string folder = calibration_of(name, get<std::string>(asked, "calibration", ""));
+  std::string recipe = path_in(folder, "calibrated.toml");
+  if (!exists(recipe))
+    throw InputError(Problem{"", "rock", name, "a rock that has been calibrated", "calibrate it first"});
+  return recipe;
+}
+
 Json choices_of(const char* key) { return find_field(rock::rock_schema().fields, key)->choices; }
 
 }  // namespace
@@ -213,18 +227,31 @@ Response Api::route(const Request& request) {
     // Opened here, sent later: what is sent is the file that was checked.
     return {200, content_type(*file), "", std::make_shared<io::InputFile>(*file)};
   }
-  if (reads && request.path == "/api/project") return json(project());
-  if (reads && request.path == "/api/rock")
-    return json(rock(said_in(request.query, "name"), said_in(request.query, "calibration")));
-  if (reads && request.path == "/api/press") {
+  if (reads) return read(request);
+  if (request.path == "/api/table") return json(table_from(request.body, said_in(request.query, "name")));
+  return changed(request);
+}
+
+/// What has no body.
+Response Api::read(const Request& request) {
+  if (request.path == "/api/project") return json(project());
+  if (request.path == "/api/press") {
     const auto text = io::read_if_file(path_in(folder_of(request.query), jobs::press_file), largest_answer);
     // Passed on as it is: megabytes four times a second would be parsed for nothing.
     return {200, "application/json", text ? *text : "null"};
   }
-  if (reads && request.path == "/api/base") return json(rock_like(said_in(request.query, "name")));
-  if (reads) return error(404, "no such address");
-  if (request.path == "/api/table") return json(table_from(request.body, said_in(request.query, "name")));
-  return changed(request);
+  const std::string name = said_in(request.query, "name");
+  if (request.path == "/api/base") return json(rock_like(name));
+  check_name(name);
+  const std::string calibration = said_in(request.query, "calibration");
+  if (request.path == "/api/rock") return json(rock(name, calibration));
+  if (request.path == "/api/results") return json(results_answer(name, calibration_of(name, calibration)));
+  if (request.path == "/api/broken") {
+    const std::string test = said_in(request.query, "test");
+    check_name(test);
+    return json(broken_answer(name, test));
+  }
+  return error(404, "no such address");
 }
 
 /// What has a body of JSON.
@@ -234,20 +261,20 @@ Response Api::changed(const Request& request) {
     check_name(asked.at("name").get<std::string>());
     return json(check_answer(asked.at("name"), asked.at("toml"), text_or_null(asked.at("table"))));
   }
-  if (request.path == "/api/recipe") {
-    const std::string name = asked.at("name");
-    check_name(name);
-    const std::string folder = calibration_of(name, get<std::string>(asked, "calibration", ""));
-    const std::string base = path_in(folder, "calibrated.toml");
-    if (!exists(base))
-      throw InputError(Problem{"", "rock", name, "a rock that has been calibrated", "calibrate it first"});
-    return json(recipe_answer(base, asked.at("changes").get<std::map<std::string, std::string>>()));
+  if (request.path == "/api/discs") {
+    check_name(asked.at("name").get<std::string>());
+    return json(discs_answer(asked.at("name"), asked.at("toml"), text_or_null(asked.at("table"))));
   }
+  if (request.path == "/api/recipe")
+    return json(
+        recipe_answer(model_of(asked), asked.at("changes").get<std::map<std::string, std::string>>()));
+  if (request.path == "/api/moduli") return json(moduli_answer(model_of(asked), asked.at("theta")));
   // Before the lock: stopping must not wait for a save or a start.
   if (request.path == "/api/stop") return json(stop(asked));
   // Two tabs may save or start at once; the second must see what the first has done.
   const std::lock_guard lock(changes_);
   if (request.path == "/api/save") return saved(asked);
+  if (request.path == "/api/report") return json(report(asked));
   if (request.path == "/api/calibrate") return json(calibrate(asked));
   if (request.path == "/api/test") return json(run_test(asked));
   return error(404, "no such address");
@@ -482,6 +509,17 @@ Json Api::calibrate(const Json& asked) {
   // A link of this name may lead anywhere.
   check_inside(request.out);
   return start(jobs::command_line_of(request), request.out);
+}
+
+/// Of a calibration, anew: what its rock file says of the first page may have changed.
+Json Api::report(const Json& asked) {
+  const std::string name = asked.at("name");
+  check_name(name);
+  const std::string folder = calibration_of(name, get<std::string>(asked, "calibration", ""));
+  if (!exists(path_in(folder, "calibration.json")) || work_in(folder).process != 0)
+    throw InputError(Problem{"", folder, "", "a calibration that has ended", ""});
+  jobs::write_report(folder);
+  return Json::object();
 }
 
 Json Api::stop(const Json& asked) {

@@ -77,6 +77,7 @@ std::optional<Problem> missing_stress(const Recipe& recipe) {
 Json field_json(const Field& f) {
   Json key = {
       {"path", f.path()}, {"meaning", f.meaning}, {"range", range_text(f)}, {"kind", kind_in_words(f.kind)}};
+  if (!f.read_by.empty()) key["tests"] = f.read_by;
   if (!f.choices.empty()) key["choices"] = f.choices;
   if (const std::string unit = inner_unit(f.dimension); unit != "1") key["unit"] = unit;
   return key;

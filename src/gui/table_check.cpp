@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "calibrate/outlook.hpp"
 #include "gui/project.hpp"
 #include "io/table.hpp"
 #include "jobs/check_summary.hpp"
 #include "jobs/machine.hpp"
+#include "jobs/time_left.hpp"
 #include "report/angle_panels.hpp"
 #include "report/calibration_figures.hpp"
 #include "report/figure_json.hpp"
@@ -95,6 +97,21 @@ Json parameter_json(const ParameterEstimate& e) {
           {"next", report::next_json(e.next)}};
 }
 
+/// Tests and time by each effort; empty where nothing can be fitted.
+Json course_json(const Evidence& evidence) {
+  Json list = Json::array();
+  for (const calibrate::Effort& effort : calibrate::efforts) try {
+      calibrate::CalibrationOptions options;
+      options.effort = effort;
+      const Finding course =
+          jobs::expected_course(calibrate::outlook_of(evidence, options).ahead(), jobs::n_threads(0));
+      list.push_back(report::finding_json(course));
+      list.back()["effort"] = effort.name;
+    } catch (const InputError&) {
+    }
+  return list;
+}
+
 void add_check(const Rock& rock, Json& answer) {
   const jobs::RockCheck found = jobs::check(rock);
   answer["bedded"] = rock.bedded;
@@ -109,15 +126,18 @@ void add_check(const Rock& rock, Json& answer) {
   answer["in_maps"] = found.in_maps;
   answer["summary"] = report::findings_json(jobs::summary_of(found, jobs::n_threads(0)));
   answer["forecast"] = report::findings_json(found.forecast);
+  const Recipe& model = found.evidence.rock.model;
+  answer["grains"] = {{"number", model.packing.n_grains}, {"diameter [m]", grain_size(model)}};
+  answer["course"] = course_json(found.as_read);
 }
 
 }  // namespace
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
-  Json answer = {{"bedded", nullptr}, {"figure", nullptr}};
+  Json answer = {{"bedded", nullptr}, {"figure", nullptr}, {"grains", nullptr}};
   // Every key in every answer: the page draws empty lists and needs no case for a table that is wrong.
   for (const char* list : {"problems", "doubts", "notes", "targets", "statements", "parameters", "models",
-                           "limits", "in_maps", "summary", "forecast"})
+                           "limits", "in_maps", "summary", "forecast", "course"})
     answer[list] = Json::array();
   const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
   try {

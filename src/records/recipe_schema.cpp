@@ -304,12 +304,15 @@ void add_bend(Fields& fields) {
   const char* const bend = "semi_circular_bend";
   t.number("notch_ratio", {0.4, 0.6}, "", "semi_circular_bend: length of the notch over the radius",
            &T::notch_ratio)
+      .of_tests({bend})
       .test = bend;
   t.quantity("notch_width", {0, largest_grain, Dimension::length}, "",
              "semi_circular_bend: width of the notch; 0: the largest grain diameter", &T::notch_width)
+      .of_tests({bend})
       .test = bend;
   t.number("span_ratio", {0.5, 0.8}, "",
            "semi_circular_bend: distance of the support rollers over the diameter", &T::span_ratio)
+      .of_tests({bend})
       .test = bend;
 }
 
@@ -362,30 +365,39 @@ void add_test(Fields& fields) {
             &T::n_frames);
   t.number("pre_strain", {0, 0.05}, "", "axial strain of the affine pre-strain; 0: none", &T::pre_strain);
   t.quantity("grip_thickness", {0, longest, Dimension::length}, "",
-             "direct_tension: rock held at each end; 0: four times the largest radius", &T::grip_thickness);
+             "direct_tension: rock held at each end; 0: four times the largest radius", &T::grip_thickness)
+      .of_tests({"direct_tension"});
   t.quantity("disc_diameter", {0, longest, Dimension::length}, "",
              "brazilian: disc cut from the specimen; semi_circular_bend: half disc; 0: the largest it holds",
-             &T::disc_diameter);
+             &T::disc_diameter)
+      .of_tests({"brazilian", "semi_circular_bend"});
   t.quantity("loading_angle", {0, 30, Dimension::angle}, "",
-             "brazilian: arc of the rim that each jaw holds; 0: flat platens", &T::loading_angle);
+             "brazilian: arc of the rim that each jaw holds; 0: flat platens", &T::loading_angle)
+      .of_tests({"brazilian"});
   t.number(
        "jaw_friction", {0, 10}, "wall fric",
        "brazilian: friction coefficient between disc and jaws; without it a coarse disc may roll out of them",
        &T::jaw_friction)
+      .of_tests({"brazilian"})
       .test = "brazilian";
   t.quantity("confining_stress", {0, 1e10, Dimension::pressure}, "", "biaxial: lateral stress",
-             &T::confining_stress);
-  t.choice(
-      "confinement", {"walls", "jacket"},
-      "biaxial: sides are rigid walls that press with the confining stress, or a pressure on the side grains",
-      &T::confinement);
+             &T::confining_stress)
+      .of_tests({"biaxial"});
+  t.choice("confinement", {"walls", "jacket"},
+           "biaxial: sides are rigid walls that press with the confining stress, or a pressure on the side "
+           "grains",
+           &T::confinement)
+      .of_tests({"biaxial"});
   t.quantity("normal_stress", {0, 1e10, Dimension::pressure}, "", "direct_shear: stress on the plane",
-             &T::normal_stress);
+             &T::normal_stress)
+      .of_tests({"direct_shear"});
   t.quantity("normal_stiffness", {0, 1e15, Dimension::stiffness}, "",
              "direct_shear: growth of the normal stress with dilation; 0: constant normal load",
-             &T::normal_stiffness);
+             &T::normal_stiffness)
+      .of_tests({"direct_shear"});
   t.quantity("shear_gap", {0, longest, Dimension::length}, "",
-             "direct_shear: free rock between the two boxes; 0: rigid halves", &T::shear_gap);
+             "direct_shear: free rock between the two boxes; 0: rigid halves", &T::shear_gap)
+      .of_tests({"direct_shear"});
   add_bend(fields);
 }
 

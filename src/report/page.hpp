@@ -2,6 +2,7 @@
 // web/report.html) is part of the program; here the results are put in: one block of JSON, a scene per
 // specimen. Every number in it is the one of result.json. Text is data to the page, never markup.
 #pragma once
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,5 +30,8 @@ struct PageExtras {
 
 /// The page as text. A run without specimens gives a page that says so.
 std::string report_page(const RunRecord& run, const PageExtras& extras = {});
+
+/// The specimens of a run as the page carries them, each with its scene in base 64; without one null.
+nlohmann::ordered_json specimens_json(const RunRecord& run);
 
 }  // namespace phy::report

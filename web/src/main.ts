@@ -2,11 +2,12 @@
 import { Calibration, Comparison, Estimate, Column, Line, Report, Test, Yardstick, lastUpTo, readReport, readScene } from "./data";
 import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table as plainTable, theme } from "./dom";
 import { Drawn, Figure, Panel, axisLabel, draw, legend } from "./figure";
+import { labelSpecimens } from "./labels";
 import { paperFoot, printing } from "./paper";
 import { allTables, chartSavers, savable, saveFile, saver } from "./save";
 import { friendly, readable } from "./units";
 import { Field, ramps } from "./painter";
-import { Viewer, headHeight } from "./viewer";
+import { Viewer } from "./viewer";
 
 const report: Report = readReport();
 const main = document.getElementById("main")!;
@@ -343,21 +344,14 @@ function specimens() {
   }
   target.append(legend(report.figures.modes.panels), place, transport);
   try {
-    const shown = report.tests.map((t) => ({ ...t, load: t.scene ? () => readScene(t.scene!, report.axes.sign) : null }));
+    const shown = report.tests.map((t) => ({ ...t, load: t.scene ? () => readScene(document.getElementById(t.scene!)!.textContent!, report.axes.sign) : null }));
     viewer = new Viewer(canvas, shown, () => {
-      overlay.replaceChildren();
       feet.length = 0;
-      for (const cell of viewer!.cells) {
-        const t = report.tests[cell.test];
-        const part = (length: number, whole: number) => `${((100 * length) / Math.max(1, whole)).toFixed(3)}%`; // paper has another width
-        const [width, height] = [canvas.clientWidth, viewer!.height];
-        const at = (top: number) => `left:${part(cell.left, width)};width:${part(cell.width, width)};top:${part(top, height)}`;
-        const foot = h("div", { class: "foot", style: at(cell.top + cell.height) }, ...strengthOf(t).map((line, i) => h(i === 0 ? "strong" : "span", {}, line)));
-        foot.append((feet[cell.test] = h("span", { class: "screen" })));
-        const absent = viewer!.absent(cell.test);
-        overlay.append(h("div", { class: "head", style: `${at(cell.top - headHeight)};color:${t.color}` }, t.theta === null ? t.label : `θ = ${t.label}`), foot);
-        if (absent) overlay.append(h("div", { class: "absent", style: at(cell.top + 0.45 * cell.height) }, absent));
-      }
+      labelSpecimens(viewer!, overlay, (i) => {
+        const t = report.tests[i];
+        feet[i] = h("span", { class: "screen" });
+        return { head: t.theta === null ? t.label : `θ = ${t.label}`, color: t.color, foot: [...strengthOf(t).map((line, k) => h(k === 0 ? "strong" : "span", {}, line)), feet[i]] };
+      });
       update();
     }, () => (document.querySelector("nav")?.offsetHeight ?? 0) + transport.offsetHeight + 24);
   } catch (error) {
@@ -756,7 +750,7 @@ function start() {
       viewer?.layout();
     });
   const print = printing(drawn, layOut);
-  document.getElementById("actions")!.prepend(saver("Print or PDF", "Print, or save as PDF", print), saver("Tables .xlsx", "Save all tables as a workbook", () => saveFile(report.name, "xlsx", allTables())));
+  document.getElementById("actions")!.prepend(saver("Print or PDF", "Print or PDF", print), saver("Tables .xlsx", "Tables .xlsx", () => saveFile(report.name, "xlsx", allTables())));
   // For tests: the script time of the last frames.
   (window as unknown as { phyllite: unknown }).phyllite = { viewer, moveTo, report };
 }
