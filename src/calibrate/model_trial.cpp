@@ -16,7 +16,6 @@ namespace phy::calibrate {
 namespace {
 
 constexpr std::uint32_t choice_seed = 20261122;
-constexpr std::int64_t n_bridged = 3;  // packings for the moduli of these, whose specimens differ more
 
 /// Sum of squared relative errors, and how many.
 struct Squares {
@@ -64,7 +63,8 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int thr
 
 ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& simulator) {
   std::vector<std::int64_t> seeds = {seed};
-  while (has_bridges(evidence.rock.model) && std::ssize(seeds) < n_bridged) seeds.push_back(seeds.back() + 1);
+  while (has_bridges(evidence.rock.model) && std::ssize(seeds) < bridged_packings)
+    seeds.push_back(seeds.back() + 1);
   return fit_elastic(evidence, seeds, {}, simulator, [](const Finding&) {});
 }
 

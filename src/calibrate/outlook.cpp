@@ -6,9 +6,12 @@
 #include <set>
 
 #include "calibrate/method.hpp"
+#include "calibrate/model_trial.hpp"
 #include "calibrate/plan.hpp"
 #include "calibrate/search_plan.hpp"
+#include "calibrate/sequence.hpp"
 #include "calibrate/softening.hpp"
+#include "calibrate/stages.hpp"
 #include "calibrate/strength_tests.hpp"
 #include "maps/candidates.hpp"
 #include "study/expected.hpp"
@@ -32,8 +35,7 @@ constexpr double of_learning = 4e6, of_comparing = 1.2e6;
 constexpr double beyond_expected = 1.75;
 constexpr double least_packings = 5.0, most_packings = 20.0;  // of a fit of the moduli
 constexpr double flat_joint_cost = 2.0;                       // of a contact and cycle, over parallel bonds
-constexpr double bridged_packings = 3.0;                      // that models with bridges are compared on
-constexpr int most_softenings = 4, sequence_tests = 8, sequence_rounds = 4;
+constexpr int sequence_tests = 8;                             // of a step of the sequence
 
 /// E of the table nearest to an inclination [Pa]; without any that of the recipe.
 double modulus_at(const Evidence& evidence, double theta) {
@@ -169,7 +171,7 @@ class ModelCourse {
     if (method().has_posterior)
       add_search(strengths);
     else
-      for (int k = 0; k < sequence_rounds; ++k)
+      for (int k = 0; k < most_sequence_rounds; ++k)
         stages_.push_back(
             strengths.on(Grains::own, as_measured).stage(Kind::course_step, k == 0, sequence_tests));
     std::vector<Target> tests = evidence_.strengths;
@@ -300,7 +302,8 @@ Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& asked) {
   double cost = 0.0;
   for (const Rock& rock : candidates)
     cost += of_comparing * static_cast<double>(evidence.strengths.size() * evidence.strengths.size()) +
-            (has_bridges(rock.model) ? bridged_packings : 1.0) * of_first_fit * cost_of_solutions(evidence);
+            static_cast<double>(has_bridges(rock.model) ? bridged_packings : 1) * of_first_fit *
+                cost_of_solutions(evidence);
   course.stages.push_back({Kind::course_models, true, cost});
   // whichever is taken: the quickest and nothing behind it, or one after the other
   course.later.least_cost = HUGE_VAL, course.later.least_tests = INT64_MAX;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,7 +16,7 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double k_factors[] = {0.25, 0.5, 1.0, 1.5, 2.0};  // on k: docs/paper.md, Fig. 4
+constexpr std::array k_factors = {0.25, 0.5, 1.0, 1.5, 2.0};  // on k: docs/paper.md, Fig. 4
 constexpr int most_bases = 4;
 constexpr double usual_slope = 1.5;   // K/k, for the first base only
 constexpr double nu_settled = 0.005;  // of the logarithm of k_s/k_n
@@ -174,7 +175,7 @@ class SequenceOfModuli {
       line = line_about(p, K, base);
       if (!(line.slope > 0.0)) break;
       k = in_box(p, std::max(0.0, (wanted - line.intercept) / line.slope));
-      if (k >= k_factors[0] * base && k <= 2.0 * base) break;
+      if (k >= k_factors.front() * base && k <= k_factors.back() * base) break;
     }
     fit_.notes.push_back(
         {FindingKind::eq2_line,

@@ -12,7 +12,6 @@ namespace {
 constexpr double met = 0.02;            // of a UCS: a third of what the verdict tolerates
 constexpr double first_stride = 0.7;    // of the logarithm: a factor of two
 constexpr double least_bracket = 0.01;  // of the logarithm
-constexpr int most_rounds = 4;
 
 /// A strength and the UCS that is to tell it, by its place among the strengths of the table.
 struct Step {
@@ -79,13 +78,13 @@ class Sequence {
 
   void run() {
     bool settled = false;
-    for (int round = 1; round <= most_rounds && !settled && left_ > 0; ++round) {
+    for (int round = 1; round <= most_sequence_rounds && !settled && left_ > 0; ++round) {
       settled = !moved_in(round);
       if (!settled && refit_) read_moduli_anew();
     }
     fit_.shortage.settled = settled, fit_.shortage.of_tests = !settled && left_ <= 0;
     if (!settled && left_ > 0)
-      fit_.notes.push_back({FindingKind::sequence_unsettled, {}, {{"rounds", most_rounds}}});
+      fit_.notes.push_back({FindingKind::sequence_unsettled, {}, {{"rounds", most_sequence_rounds}}});
     conclude();
   }
 

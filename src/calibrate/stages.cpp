@@ -77,7 +77,6 @@ void fit_strengths(const StageTask& task, const ElasticFit& moduli, Strengths& f
 /// damped, and the best of them is taken. Where one measurement is all that can be paid (or the specimens are
 /// so large that the search takes coarse grains) the moduli follow it once, unmeasured.
 Strengths with_measured_softening(const StageTask& task, Strengths found) {
-  constexpr int most_passes = 4;
   const Evidence& evidence = task.evidence;
   const std::vector<std::int64_t> packings(task.packings.fit.begin(), task.packings.fit.begin() + n_softened);
   const std::vector<Target> tests = tests_to_read(evidence);
@@ -85,7 +84,7 @@ Strengths with_measured_softening(const StageTask& task, Strengths found) {
              reserved = tests_per_packing(evidence, true) * verification_packings;
   Strengths nearest;
   double least_misfit = std::numeric_limits<double>::infinity();
-  for (int pass = 1; pass <= most_passes; ++pass) {
+  for (int pass = 1; pass <= most_softenings; ++pass) {
     task.options.listener.begins({FindingKind::course_softening});
     const Softenings measured = softenings_of(
         {found.fit.recipe, evidence.rock.model, tests, packings, evidence.rock.E_is}, task.simulator);
