@@ -104,7 +104,7 @@ Json course_json(const Evidence& evidence) {
       calibrate::CalibrationOptions options;
       options.effort = effort;
       const Finding course =
-          jobs::expected_course(calibrate::outlook_of(evidence, options).ahead(), jobs::n_threads(0));
+          jobs::expected_course(calibrate::outlook_of(evidence, options), jobs::n_threads(0));
       list.push_back(report::finding_json(course));
       list.back()["effort"] = effort.name;
     } catch (const InputError&) {
