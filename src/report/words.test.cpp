@@ -145,6 +145,13 @@ Finding counts(double values, double met, double missed, double open, double alo
            {"by_chance", 0.05 * values}}};
 }
 
+TEST(Words, ALoneValueIsNamedAsOne) {
+  EXPECT_EQ(sentence({Kind::tests_met, {{Property::nu, 0.0}}, {{"of", 1.0}}}),
+            "nu at 0 degrees, its only value in the table.");
+  EXPECT_EQ(sentence({Kind::tests_alone, {{Property::nu, 0.0}}, {{"of", 4.0}}}),
+            "nu at 0 degrees, the only value met.");
+}
+
 TEST(Words, TheVerdictOfARockThatIsMet) {
   Calibration c;
   c.fitted = c.verification = {row(Property::ucs, 0, 60e6, 61e6), row(Property::nu, 0, 0.25, 0.26)};

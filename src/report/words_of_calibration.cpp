@@ -127,7 +127,7 @@ std::string tests_text(F f) {
   const Cell& c = f.cells.front();
   const bool every = static_cast<double>(f.cells.size()) == f.number("of");
   if (every && f.cells.size() == 1 && std::isfinite(c.theta))
-    return cells_text(f.cells) + ", the only angle of the table";
+    return cells_text(f.cells) + ", its only value in the table";
   return every && f.cells.size() > 1 && std::isfinite(c.theta) ? test_text(c) + " at every angle of the table"
                                                                : cells_text(f.cells);
 }
