@@ -308,7 +308,7 @@ test("the bedding is turned by hand and by keys; moduli follow by the direct sol
 
 test("the bar says how far the rock has come", async () => {
   const bar = page.getByRole("navigation", { name: "Sections" });
-  for (const text of [/Table\s*saved/, /Check\s*no problems/, /Calibrate\s*(calibrated|not|out)/, /Test\s*2 tests made/]) await bar.getByRole("link", { name: text }).waitFor();
+  for (const text of [/Table\s*saved/, /Check\s*in order/, /Calibrate\s*(calibrated|not|out)/, /Test\s*2 tests made/]) await bar.getByRole("link", { name: text }).waitFor();
 });
 
 test("what was undone is done again", async () => {

@@ -304,8 +304,8 @@ const tooSmall = () => {
   return small;
 };
 
-test("a calibration with seven specimens and four properties is a report of six sheets at most, nothing below 8 pt", async (t) => {
-  const page = await open(calibrated("sheets", [0, 15, 30, 45, 60, 75, 90], ["E", "nu", "UCS", "BTS"], many));
+test("a calibration with its specimens and four properties is a report of six sheets at most, nothing below 8 pt", async (t) => {
+  const page = await open(calibrated("sheets", [0, 15, 30, 45, 60, 75, 90], ["E", "nu", "UCS", "BTS"], press));
   const pdf = (await page.pdf({ preferCSSPageSize: true, printBackground: true })).toString("latin1");
   const sheets = pdf.match(/\/Type\s*\/Page\b/g).length;
   const [, right, top] = pdf.match(/\/MediaBox\s*\[0 0 ([\d.]+) ([\d.]+)\]/).map(Number);

@@ -7,7 +7,7 @@ import { GlPainter } from "./painter_gl";
 export const headHeight = 24; // above a specimen: its name [CSS pixels]
 const footHeight = 62; // below: strength, that of a table, stress and cracks
 const paperFootHeight = 34; // on paper nothing moves: its strength, and that of a table
-const leastHeight = 200; // of one specimen
+const leastHeight = 200; // of one specimen; on paper the most, so that page one has room for them
 
 function percentile(values: Float32Array, part: number): number {
   values.sort();
@@ -141,7 +141,7 @@ export class Viewer {
     const lines = Math.ceil(shown.length / columns);
     const even = Math.ceil(shown.length / lines);
     const cellWidth = width / even;
-    const limit = shown.length === 1 ? Math.max(leastHeight, window.innerHeight - head - foot - this.besides()) : 620;
+    const limit = this.paper ? leastHeight : shown.length === 1 ? Math.max(leastHeight, window.innerHeight - head - foot - this.besides()) : 620;
     const cellHeight = Math.min(limit, cellWidth * aspect);
     this.cells = shown.map((test, k) => ({
       test,

@@ -147,7 +147,7 @@ function layOut(answer: RockAnswer) {
     const problems = checked?.problems ?? [];
     const state = rock.gone ? "its files are gone" : rock.dirty ? "not saved" : "saved";
     way.show("table", problems.length > 0 || rock.gone ? "wrong" : rock.dirty ? "waiting" : "done", state);
-    if (fresh === asked) way.show("check", problems.length > 0 ? "wrong" : "done", problems.length > 0 ? `${counted(problems.length, "problem")} to mend` : "no problems");
+    if (fresh === asked) way.show("check", problems.length > 0 ? "wrong" : "done", problems.length > 0 ? `${problems.length} to mend` : "in order");
     else way.show("check", "running", "checking");
     const c = answer.calibration, tests = answer.tests;
     const done = c.verdict?.status ?? (c.state === "new" ? "to be started" : c.state);
@@ -341,7 +341,7 @@ async function start() {
     return;
   }
   nameOptions(project.options);
-  document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${project.threads} threads`;
+  document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${counted(project.threads, "thread")}`;
   folder.textContent = "A rock is two files of this folder: a table of tests and a rock file.";
   starting = startView(() => project, created, () => document.getElementById("calibration")!.scrollIntoView());
   contents.append(h("li", {}, h("a", { href: "#rocks" }, "Rocks")));

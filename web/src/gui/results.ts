@@ -24,6 +24,8 @@ export interface ResultsView {
 
 const over = (t: RockTest) => t.state === "finished" || t.state === "stopped";
 
+const tallest = 480; // of a single specimen [CSS pixels]
+
 /** One figure with its heading and its signs; away where it has no panel. */
 function part(title: string) {
   const charts = new Figures("grid small", true);
@@ -81,7 +83,7 @@ function brokenView(rock: string) {
     const canvas = h("canvas", { role: "img", "aria-label": `Specimens of ${name}, broken` });
     frame.replaceChildren(canvas, overlay);
     const all = broken.map((t): Shown => ({ cracks: cracksOf(t.cracks), bedding: t.bedding, end: t.end, load: t.scene ? () => readScene(t.scene!, t.sign) : null }));
-    viewer = new Viewer(canvas, all, () => labelSpecimens(viewer!, overlay, label), () => 160, undefined, true);
+    viewer = new Viewer(canvas, all, () => labelSpecimens(viewer!, overlay, label), () => Math.max(160, innerHeight - tallest), undefined, true);
     const label = (i: number) => {
       const of = made.find((s) => s.specimen === broken[i].result.specimen);
       return { head: broken[i].label === "intact" ? "intact" : `θ = ${broken[i].label}`, color: "var(--ink)", foot: [h("strong", {}, of ? `${of.strength ?? ""} ${valueOf(of)}`.trim() : "")] };
