@@ -214,9 +214,21 @@ double expm1(double x) {
   return x > largest_exponent - 1.0 ? exp(x) : value(expm1_of({x, 0.0}));
 }
 
+// The one that the draws of a calibration spend their time in: by doubles alone, as near as the C library's.
+// With s = f / (2 + f) log(1 + f) = 2 atanh(s), and 2 s = f - s f leaves the rounding of s out of the sum.
 double log(double x) {
   double answer = 0.0;
-  return has_no_log(x, answer) ? answer : value(log_of({x, 0.0}));
+  if (has_no_log(x, answer)) return answer;
+  constexpr double ln_2_high = 0x1.62e42feep-1,
+                   ln_2_low = 0x1.a39ef35793c76p-33;  // k times the first is exact
+  int k = 0;
+  double m = std::frexp(x, &k);
+  if (m < 0.70710678118654752440) m *= 2.0, --k;
+  const double f = m - 1.0, s = f / (2.0 + f), z = s * s, w = z * z;
+  // two series of half the length, which the processor works on side by side
+  const double odd = z * (2.0 / 3 + w * (2.0 / 7 + w * (2.0 / 11 + w * (2.0 / 15 + w * (2.0 / 19))))),
+               even = w * (2.0 / 5 + w * (2.0 / 9 + w * (2.0 / 13 + w * (2.0 / 17 + w * (2.0 / 21)))));
+  return k * ln_2_high + (f - (s * (f - (odd + even)) - k * ln_2_low));
 }
 
 double log2(double x) {

@@ -4,7 +4,7 @@
 // of the C library's for the whole program, so that no call can be forgotten.
 //
 // Arguments and first terms of the series are sums of two doubles (Dekker 1971), the rest is double: errors
-// stay below 0.6 units in the last place, exact_functions.test.cpp measures it. Tests of rock keep
+// stay below 0.6 units in the last place, of log below 1 (exact_functions.test.cpp). Tests of rock keep
 // exact_math.hpp, which their recorded numbers were made with.
 #pragma once
 

