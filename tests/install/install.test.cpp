@@ -296,12 +296,11 @@ TEST_F(Install, ThereIsOneVersion) {
   EXPECT_EQ(found(slurp(build + "/CPackConfig.cmake"), "CPACK_PACKAGE_VERSION \"([^\"]+)\""),
             version + (released ? "" : "~dev"));
   // Nowhere else is it written down, but in cards: which program made them.
-  EXPECT_NE(
-      run_line("grep -rnFw --exclude=rocks.md '" + version + "' " + (root / "README.md").string() + " " +
-               (root / "docs").string() + " " + (root / "src").string() + " " + (root / "python").string() +
-               " " + (root / "packaging").string() + " " + (root / "web/src").string() + " " +
-               (root / "CMakeLists.txt").string()),
-      0)
+  EXPECT_NE(run_line("grep -rnFw --exclude=rocks.md '" + version + "' " + (root / "README.md").string() +
+                     " " + (root / "docs").string() + " " + (root / "src").string() + " " +
+                     (root / "python").string() + " " + (root / "packaging").string() + " " +
+                     (root / "web/src").string() + " " + (root / "CMakeLists.txt").string()),
+            0)
       << output;
 }
 
