@@ -5,8 +5,6 @@
 
 namespace exact = phy::exact;
 
-// Inside the Python module, too: what could be seen from outside would give way to the library's there.
-#pragma GCC visibility push(hidden)
 extern "C" {
 
 double exp(double x) noexcept { return exact::exp(x); }
