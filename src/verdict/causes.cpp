@@ -236,8 +236,10 @@ void explain(Calibration& c) {
     case VerdictStatus::out_of_reach: explain_missed(view, verdict); break;
   }
   c.verdict = std::move(verdict);
-  // what a longer search would take is worth a note where it is no cause
-  if (const auto cut = search_short(view); cut && cut->advice == Advice::none) c.notes.push_back(*cut);
+  // What a longer search would take is worth a note where it is no cause; whether to search is the verdict's.
+  if (!c.shortage.any() || first_of(c.verdict.causes, FindingKind::search_short) != nullptr) return;
+  c.notes.push_back(*search_short(view));
+  c.notes.back().advice = Advice::none;
 }
 
 }  // namespace phy::verdict
