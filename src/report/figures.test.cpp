@@ -377,6 +377,14 @@ TEST(Figures, LongCurvesAreThinnedAroundTheirPeak) {
 }
 
 // Three cracks in the matrix, of which one in shear, and one of the bedding, spread over the test.
+TEST(Figures, CracksOfTensionAndShearDifferInGrey) {
+  const auto grey = [](Color c) {  // as printers and screens make it, ITU-R BT.601
+    return 0.299 * (c >> 16U) + 0.587 * ((c >> 8U) & 255U) + 0.114 * (c & 255U);
+  };
+  for (const std::size_t tension : {0U, 2U})
+    EXPECT_GT(grey(crack_colors[tension]) - grey(crack_colors[tension + 1]), 30.0) << crack_names[tension];
+}
+
 TEST(Figures, CracksAreCountedByKindAndAddUp) {
   RunRecord run;
   run.tests.push_back(curve_to(30.0, 0.5, 10.0));
