@@ -242,16 +242,15 @@ Response Api::read(const Request& request) {
   }
   const std::string name = said_in(request.query, "name");
   if (request.path == "/api/base") return json(rock_like(name));
+  constexpr std::string_view of_rocks[] = {"/api/rock", "/api/results", "/api/broken"};
+  if (std::ranges::find(of_rocks, request.path) == std::end(of_rocks)) return error(404, "no such address");
   check_name(name);
   const std::string calibration = said_in(request.query, "calibration");
   if (request.path == "/api/rock") return json(rock(name, calibration));
   if (request.path == "/api/results") return json(results_answer(name, calibration_of(name, calibration)));
-  if (request.path == "/api/broken") {
-    const std::string test = said_in(request.query, "test");
-    check_name(test);
-    return json(broken_answer(name, test));
-  }
-  return error(404, "no such address");
+  const std::string test = said_in(request.query, "test");
+  check_name(test);
+  return json(broken_answer(name, test));
 }
 
 /// What has a body of JSON.
