@@ -17,6 +17,7 @@
 #include "jobs/rock_base.hpp"
 #include "jobs/tables_reference.hpp"
 #include "rock/file.hpp"
+#include "rock/schema.hpp"
 #include "rock/template.hpp"
 
 namespace phy::cli {

@@ -31,7 +31,7 @@
 #include "jobs/report.hpp"
 #include "jobs/rock_base.hpp"
 #include "records/test_description.hpp"
-#include "rock/file.hpp"
+#include "rock/schema.hpp"
 #include "system/files.hpp"
 
 namespace phy::gui {

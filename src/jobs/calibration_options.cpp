@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/quote.hpp"
-#include "rock/file.hpp"
+#include "rock/schema.hpp"
 
 namespace phy::jobs {
 namespace {

@@ -13,7 +13,7 @@
 #include "jobs/calibration_folder.hpp"
 #include "jobs/run_folder.hpp"
 #include "report/calibration_files.hpp"
-#include "rock/file.hpp"
+#include "rock/schema.hpp"
 
 namespace phy::jobs {
 namespace {

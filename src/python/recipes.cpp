@@ -19,6 +19,7 @@
 #include "records/specimen_record.hpp"
 #include "report/finding_json.hpp"
 #include "rock/file.hpp"
+#include "rock/schema.hpp"
 #include "study/study_in.hpp"
 
 namespace phy::python {

@@ -3,15 +3,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "io/document.hpp"
 #include "records/rock.hpp"
 
 namespace phy::rock {
-
-const io::Schema& rock_schema();
 
 /// Reads a rock file with its table and, where it names one, its recipe (both beside the rock file). Throws
 /// IoError, or InputError with every problem of all files.
@@ -27,14 +23,5 @@ struct RockParts {
 Rock parse_rock(std::string_view text, const std::string& path, const RockParts& parts);
 /// As read_rock, from keys that stand in no file; the files that they name count from the working directory.
 Rock rock_of(io::TomlValue keys, const std::string& where, const RockParts& parts);
-
-/// What a rock file says for the first page of a report.
-struct ReportHead {
-  std::vector<std::pair<std::string, std::string>>
-      lines;          ///< keys of [report] that are there, in the list's order
-  std::string table;  ///< `data`
-};
-/// Throws IoError or InputError where the file cannot be read.
-ReportHead report_head(const std::string& path);
 
 }  // namespace phy::rock

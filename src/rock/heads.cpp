@@ -207,7 +207,7 @@ class HeadsReader {
       const std::string unit = is_nothing(cells[i]) ? "" : unit_of_cell(cells[i]);
       if (!unit.empty() && !h.unit.empty() && unit != h.unit)
         report_problem(header(i), cells[i], "one unit", "the row below the header has another: correct one");
-      // The header goes before the row: where both have one and differ, that was told above.
+      // The header goes before the row: where both have one and differ, the message stands above.
       if (h.unit.empty()) h.unit = unit == "1" ? "" : unit;
       if (unit.empty() && !is_nothing(cells[i]) && is_read(h) && dimension_of(h) != Dimension::none)
         told_.insert(i), tell_unit(i, cells[i]);

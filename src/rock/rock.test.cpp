@@ -6,6 +6,7 @@
 #include "io/table.hpp"
 #include "records/calibration.hpp"
 #include "rock/file_fixture.hpp"
+#include "rock/schema.hpp"
 #include "rock/template.hpp"
 #include "theory/envelope_fit.hpp"
 #include "theory/jaeger.hpp"
