@@ -1,10 +1,12 @@
 #include "records/lab_tests.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
+
+#include "base/text_table.hpp"
 
 namespace phy {
 
@@ -58,14 +60,6 @@ std::string inclination_of(const LabTest& test) {
   return "";
 }
 
-/// "a, b and c", the last behind a word of its own.
-std::string listed(const std::vector<std::string>& items, const char* last) {
-  if (items.size() < 2) return fmt::format("{}", fmt::join(items, ""));
-  return fmt::format("{}{}{}",
-                     fmt::join(items.begin(), items.end() - 1, items.front().starts_with(' ') ? "," : ", "),
-                     last, items.back());
-}
-
 }  // namespace
 
 std::string name_of(const LabTest& test) {
@@ -80,30 +74,26 @@ std::string name_of(const LabTest& test) {
 
 std::string names_of(const std::vector<LabTests>& tests) {
   struct Named {
-    const LabTest* test;  ///< nullptr: of several alternatives, or under a stress of its own
     std::string name;
     std::vector<std::string> places;
   };
   std::vector<Named> names;
+  std::map<Property, std::size_t> placed;  // by tests that their places alone tell apart: named once
   for (const LabTests& some : tests) {
     const LabTest& first = some.any_of.front();
+    if (some.any_of.size() == 1 && first.stress == StressAsked::any && first.where != Inclination::any) {
+      const auto [at, fresh] = placed.try_emplace(first.property, names.size());
+      if (fresh) names.push_back({measured(first.property).test_name, {}});
+      names[at->second].places.push_back(inclination_of(first));
+      continue;
+    }
     std::vector<std::string> alternatives;
     for (const LabTest& test : some.any_of) alternatives.push_back(name_of(test));
-    const bool plain =
-        some.any_of.size() == 1 && first.stress == StressAsked::any && first.where != Inclination::any;
-    const auto same = std::ranges::find_if(names, [&](const Named& n) {
-      return plain && n.test != nullptr && n.test->property == first.property;
-    });
-    if (same != names.end())  // named once, with every place
-      same->places.push_back(inclination_of(first));
-    else if (plain)
-      names.push_back({&first, measured(first.property).test_name, {inclination_of(first)}});
-    else
-      names.push_back({nullptr, fmt::format("{}", fmt::join(alternatives, ", or ")), {}});
+    names.push_back({joined_text(alternatives, ", or ", ", or "), {}});
   }
   std::vector<std::string> texts;
-  for (const Named& n : names) texts.push_back(n.name + listed(n.places, " and"));
-  return listed(texts, ", and ");
+  for (const Named& n : names) texts.push_back(n.name + joined_text(n.places, ",", " and"));
+  return joined_text(texts, ", ", ", and ");
 }
 
 std::string text_of(const Support& support) {
