@@ -144,9 +144,13 @@ int draw(FigureArguments args, int columns) {
   const std::string table = args.data.empty() ? "" : report::figure_csv(kind, data);
   // Text goes to the terminal whatever --out says, and needs no gnuplot on the machine.
   if (format == on_terminal) {
+    if (!args.size.empty())
+      throw InputError(Problem{"command line", "--size", args.size, "nothing with --format terminal",
+                               "a terminal has its own width"});
     // On a pipe there is no width to ask for; 80 columns fit into mails and logs.
     constexpr int usual_columns = 80;
     print_out("{}", report::figure_text(kind, data, columns > 0 ? columns : usual_columns));
+    if (!args.data.empty()) io::write_output(args.data, table);
     return tell_provenance(data.run, 0);
   }
   // Where the user stands and not in the folder of results, which is left as it was.
