@@ -177,7 +177,7 @@ class Trial {
     CalibrationOptions rest = options_;
     rest.max_tests = left();
     Tried one = {calibrate_by(model.evidence, known, rest, simulator_, pictures_at_once), &model};
-    // What a rival will cost shows only at its end: the dearest so far stands for it.
+    // What a rival will cost shows only at its end: the costliest so far stands for it.
     n_one_ = std::max(n_one_, one.attempt.n_tests);
     tried_.push_back(&model), results_.push_back(result_of(one));
     return one;

@@ -111,7 +111,7 @@ std::optional<Finding> without_scatter(const RockCheck& check) {
 void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines) {
   try {
     calibrate::CalibrationOptions options;
-    options.effort = calibrate::auto_effort;  // as a calibration has it unless it is told otherwise
+    options.effort = calibrate::auto_effort;  // the default of a calibration
     lines.push_back(expected_course(calibrate::outlook_of(check.as_read, options), threads));
     // A check answers any table, also one from which no calibration could begin.
   } catch (const InputError&) {

@@ -131,7 +131,7 @@ void write_run_report(const std::string& folder, const std::vector<TestResult>& 
   for (const TestResult& r : results) {
     if (r.outcome.status != Status::interrupted) continue;
     const std::string name = io::folder_name(r.name);
-    // An older, unreadable folder of this name is told once, by the newer reason.
+    // An older, unreadable folder of this name is reported once, by the newer reason.
     std::erase_if(run.missing,
                   [&](const MissingTest& m) { return std::filesystem::path(m.name).filename() == name; });
     run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});

@@ -40,7 +40,9 @@ void Canvas::paint(Vec2 low, Vec2 high, std::uint32_t color, Cover cover) {
 void Canvas::disc(double x, double y, double r, std::uint32_t color) {
   paint({x - r - 1.0, y - r - 1.0}, {x + r, y + r}, color,
         // The edge falls from 1 to 0 over one pixel, the true radius in its middle.
-        [=](double px, double py) { return r + 0.5 - std::hypot(px - x, py - y); });
+        [=](double px, double py) {
+          return r + 0.5 - norm(Vec2{px - x, py - y});
+        });
 }
 
 void Canvas::line(Vec2 from, Vec2 to, double width, std::uint32_t color) {

@@ -23,9 +23,10 @@ std::string expected(F f) {
                                        others > 0.0 ? " by one model" : "", tests == "0" ? "no" : tests,
                                        duration_text(f.number("least_seconds"), f.number("most_seconds")),
                                        counted_text(f.number("threads"), "thread"));
-  return others > 0.0 ? text + fmt::format(" Where it ends out of reach, up to {} may follow, each as long.",
-                                           counted_text(others, "more model"))
-                      : text;
+  return others > 0.0
+             ? text + fmt::format(" Where it ends out of reach, up to {} may follow, each about as long.",
+                                  counted_text(others, "more model"))
+             : text;
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ class Program {
   }
 }
 
-/** Draws `n` instances of one of Loaded's arrays; `set`: what this program alone is told. */
+/** Draws `n` instances of one of Loaded's arrays; `set`: what only this program needs. */
 type Layer = (program: Program, array: number, n: number, set: () => void) => void;
 
 /** What the graphics processor holds of one specimen. */
