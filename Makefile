@@ -97,7 +97,7 @@ package-check: package
 windows: deps-windows
 	@sh tools/sources.sh build/sources
 	@$(call made,windows) --target phyllite
-	@cd build/windows && cpack >cpack.txt || { cat cpack.txt; exit 1; }
+	@cd build/windows && rm -f phyllite-*-windows.zip && cpack >cpack.txt || { cat cpack.txt; exit 1; }
 	@ls -l build/windows/phyllite.exe build/windows/phyllite-*.zip
 
 # What no other build compiles, in seconds.

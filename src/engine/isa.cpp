@@ -5,17 +5,11 @@
 #include <cstring>
 
 #include "base/check.hpp"
+#include "base/text_table.hpp"
 
 namespace phy::engine {
 
-const char* to_string(Isa isa) {
-  switch (isa) {
-    case Isa::sse2: return "sse2";
-    case Isa::avx2: return "avx2";
-    case Isa::avx512: return "avx512";
-  }
-  return "unknown";
-}
+const char* to_string(Isa isa) { return isa_names().at(static_cast<std::size_t>(isa)); }
 
 Isa native_isa() {
   const Isa best = best_isa();
@@ -23,9 +17,11 @@ Isa native_isa() {
   if (wish == nullptr || *wish == 0) return best;
   // The environment can lower the set (to compare them) but not raise it: the processor would stop at an
   // unknown instruction.
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
-    if (std::strcmp(wish, to_string(isa)) == 0) return std::min(isa, best);
-  throw InputError(Problem{"environment", "PHYLLITE_ISA", wish, "sse2, avx2 or avx512", "or leave it unset"});
+  const std::vector<const char*> names = isa_names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (std::strcmp(wish, names[i]) == 0) return std::min(static_cast<Isa>(i), best);
+  throw InputError(Problem{"environment", "PHYLLITE_ISA", wish,
+                           joined_text({names.begin(), names.end()}, ", ", " or "), "or leave it unset"});
 }
 
 namespace {

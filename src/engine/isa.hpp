@@ -10,6 +10,8 @@ namespace phy::engine {
 /// have the first, which is written in portable vectors of 16 bytes.
 enum class Isa { sse2, avx2, avx512 };
 
+/// Those that a processor of this kind can have, in the order of Isa.
+std::vector<const char*> isa_names();
 const char* to_string(Isa isa);
 /// The widest that this processor has (processor_x86.cpp, processor_other.cpp).
 Isa best_isa();

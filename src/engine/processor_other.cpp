@@ -5,6 +5,8 @@ namespace phy::engine {
 
 Isa best_isa() { return Isa::sse2; }
 
+std::vector<const char*> isa_names() { return {"portable"}; }
+
 Kernel<double> double_kernel_avx2(std::size_t, int) { return {}; }
 Kernel<float> float_kernel_avx2(std::size_t, int) { return {}; }
 Kernel<double> double_kernel_avx512(std::size_t, int) { return {}; }

@@ -12,4 +12,6 @@ Isa best_isa() {
   return best;
 }
 
+std::vector<const char*> isa_names() { return {"sse2", "avx2", "avx512"}; }
+
 }  // namespace phy::engine
