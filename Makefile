@@ -54,7 +54,10 @@ program:
 	@$(call made,release) --target phyllite
 
 demo: deps program
-	$(BUILD)/phyllite calibrate examples/demo/boryeong.toml --effort quick --out results/demo --resume
+	@mkdir -p results
+	@$(BUILD)/phyllite calibrate examples/demo/boryeong.toml --effort quick --out results/demo --resume >results/demo.txt
+	@awk -v RS= -F'\n' 'END { print $$1; print $$NF }' results/demo.txt
+	@echo "The page: results/demo/report.html, for your browser. Everything that was printed: results/demo.txt"
 
 demo-twin: deps program
 	$(BUILD)/phyllite calibrate examples/twin/twin.toml --out results/twin --resume
