@@ -1,4 +1,4 @@
-// Cards of measured rocks (data/rocks, docs/formats.md "Card"): what their calibrations came to, as text.
+// Cards of measured rocks (data/rocks/README.md, "Card"): what their calibrations came to, as text.
 #pragma once
 #include <string>
 #include <string_view>
