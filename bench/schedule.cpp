@@ -4,8 +4,9 @@
 // STORE holds the finished tests. The queue gives them out by its own rules to workers of which each has its
 // own clock; a block of cycles takes what tests side by side take (study::slowness), and all tests together
 // what they took when they were recorded. A calibration is done again with the answers of the store: what it
-// computes between tests is measured, as CPU time of one thread, and stays serial. Direct solutions are
-// shared out over the threads of rank 0. Not in it: memory that cores share, messages between ranks.
+// computes between tests is measured, as CPU time. Of that the first thread's stays serial; what for_all
+// gives to others is a piece per strength of the table, shared out over the threads of rank 0 like direct
+// solutions. Not in it: memory that cores share, messages between ranks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include "study/lane_batch.hpp"
 #include "study/study_in.hpp"
 #include "study/task_queue.hpp"
+#include "system/process.hpp"
 
 namespace {
 
@@ -186,10 +188,22 @@ class Paper {
   }
 };
 
+/// CPU [s] of the first thread, and of all others.
+struct Cpu {
+  double serial = 0.0, shared = 0.0;
+};
+
+/// Time of `n` equal pieces that take `seconds` together on so many threads.
+double shared_out(double seconds, std::size_t n, int threads) {
+  const auto rounds =
+      static_cast<double>((n + static_cast<std::size_t>(threads) - 1) / static_cast<std::size_t>(threads));
+  return n == 0 ? 0.0 : seconds * rounds / static_cast<double>(n);
+}
+
 /// What was done between two questions, and what was asked.
 struct Phase {
-  double serial = 0.0, solving = 0.0;  // CPU [s]
-  std::size_t n_solutions = 0;
+  Cpu before = {}, solving = {};
+  std::size_t n_pieces = 0, n_solutions = 0;
   Plan plan = {};
   std::vector<TestResult> results = {};  // of its tests, in their order
 };
@@ -197,32 +211,39 @@ struct Phase {
 /// Answers from a store, and keeps what was asked when.
 class Recorder : public calibrate::Simulator {
  public:
-  explicit Recorder(const std::string& store)
-      : own_(calibrate::make_simulator({1, store, nullptr, nullptr})) {}
+  Recorder(const std::string& store, std::size_t n_pieces)
+      : own_(calibrate::make_simulator({1, store, nullptr, nullptr})), n_pieces_(n_pieces) {}
   std::vector<Phase> phases;
+  /// What was done behind the last question.
+  void end() { phases.push_back({lap(), {}, n_pieces_}); }
 
  private:
   std::unique_ptr<calibrate::Simulator> own_;
-  std::clock_t since_ = std::clock();
+  std::size_t n_pieces_;
+  Cpu since_ = now();
 
-  double lap() {
-    const std::clock_t before = std::exchange(since_, std::clock());
-    return static_cast<double>(since_ - before) / CLOCKS_PER_SEC;
+  static Cpu now() {
+    const double first = system::thread_seconds();
+    return {first, static_cast<double>(std::clock()) / CLOCKS_PER_SEC - first};
+  }
+  Cpu lap() {
+    const Cpu before = std::exchange(since_, now());
+    return {since_.serial - before.serial, since_.shared - before.shared};
   }
   std::vector<ElasticResult> solve(const std::vector<Recipe>& recipes, calibrate::Statics what) override {
-    Phase phase{lap()};
+    Phase phase{lap(), {}, n_pieces_};
     std::vector<ElasticResult> results = own_->elastic(recipes, what);
     phase.solving = lap(), phase.n_solutions = recipes.size();
     phases.push_back(std::move(phase));
     return results;
   }
   std::vector<TestResult> run(const std::vector<Recipe>& recipes) override {
-    Phase phase{lap()};
+    Phase phase{lap(), {}, n_pieces_};
     std::vector<TestResult> results = own_->test(recipes);
     phase.plan = study::plan_of(recipes);
     phase.results.resize(phase.plan.tests.size());
     for (const study::Run& r : phase.plan.runs) phase.results[r.test] = results[r.place];
-    phase.serial += lap();
+    phase.before.serial += lap().serial;
     phases.push_back(std::move(phase));
     return results;
   }
@@ -236,22 +257,20 @@ void print(const std::vector<Phase>& phases) {
     units += Paper(p.plan, p.results, {}).run().busy;
   }
   const auto row = [&](const Machine& machine) {
-    double serial = 0.0, solving = 0.0, testing = 0.0, busy = 0.0;
+    double serial = 0.0, shared = 0.0, testing = 0.0, busy = 0.0;
     for (const Phase& p : phases) {
-      const auto each = static_cast<std::size_t>(machine.threads);
-      serial += p.serial;
-      if (p.n_solutions > 0)
-        solving += p.solving * static_cast<double>((p.n_solutions + each - 1) / each) /
-                   static_cast<double>(p.n_solutions);
+      serial += p.before.serial + p.solving.serial;
+      shared += shared_out(p.before.shared, p.n_pieces, machine.threads) +
+                shared_out(p.solving.shared, p.n_solutions, machine.threads);
       const Times t = Paper(p.plan, p.results, machine).run();
       testing += t.wall * recorded / units, busy += t.busy * recorded / units;
     }
-    const double wall = serial + solving + testing;
+    const double wall = serial + shared + testing;
     fmt::print("{:5} {:7} {:8.1f} {:8.1f} {:9.1f} {:8.1f} {:10.1f} {:7.2f}\n", machine.ranks, machine.threads,
-               wall, serial, solving, testing, busy, busy / testing / machine.workers());
+               wall, serial, shared, testing, busy, busy / testing / machine.workers());
     return wall;
   };
-  fmt::print("ranks threads  seconds   serial solutions    tests  tests' CPU    busy\n");
+  fmt::print("ranks threads  seconds   serial    shared    tests  tests' CPU    busy\n");
   std::map<int, double> wall;
   for (const int threads : {1, 2, 4, 8, 16}) wall[threads] = row({1, threads});
   for (const int ranks : {2, 4}) row({ranks, 16 / ranks});
@@ -275,9 +294,10 @@ std::vector<Phase> calibration_phases(const std::string& file, const std::string
                                       const std::string& store) {
   jobs::CalibrationRequest request;
   request.rock = file, request.effort = effort;
-  Recorder recorder(store);
-  calibrate::calibrate(Evidence(jobs::with_matrix(rock::read_rock(file), request)), jobs::options_of(request),
-                       recorder);
+  const Evidence evidence(jobs::with_matrix(rock::read_rock(file), request));
+  Recorder recorder(store, evidence.strengths.size());
+  calibrate::calibrate(evidence, jobs::options_of(request), recorder);
+  recorder.end();
   return std::move(recorder.phases);
 }
 
