@@ -94,8 +94,9 @@ class Paper {
     });
   }
 
-  void fill(Clock& c, Lanes& lanes) {
-    while (lanes.takes && lanes.tests.size() < static_cast<std::size_t>(lanes.group.lanes)) {
+  void fill(Clock& c, Lanes& lanes, std::size_t most) {
+    const auto n = std::min(most, static_cast<std::size_t>(lanes.group.lanes));
+    while (lanes.takes && lanes.tests.size() < n) {
       const auto test = queue_.take(lanes.batch, c.last);
       if (!test) return;
       c.last = test;
@@ -124,7 +125,7 @@ class Paper {
       c.waits = c.at->kind != study::Assignment::Kind::work;
       if (c.waits) return c.at.reset();
       Lanes lanes = entered(*c.at);
-      fill(c, lanes);
+      fill(c, lanes, c.at->n_tests);  // as Worker::run_batch
       if (!lanes.tests.empty()) c.mine.push_back(std::move(lanes));
     }
     const Lanes& lanes = c.mine.back();
@@ -141,7 +142,7 @@ class Paper {
       if (left <= 0.0) queue_.deliver(test, results_[test]);
     }
     std::erase_if(lanes.tests, [](const auto& t) { return t.second <= 0.0; });
-    fill(c, lanes);
+    fill(c, lanes, plan_.tests.size());
     if (lanes.tests.empty()) return;
     if (study::fitting_lanes(lanes.tests.size(), alike(lanes.tests), lanes.group) < lanes.group.lanes) {
       const Lanes wide = std::move(c.mine.back());
