@@ -310,6 +310,9 @@ WorkReport work_as_host(const Ranks* ranks, StoreQueue& queue, const Plan& plan,
       [&] {
         if (broken) queue.close();
       });
+  // Left by a rank that was stopped alone when no worker was here to take it.
+  if (const Progress p = queue.progress(); !queue.stopped() && p.n_done < p.n_total)
+    server.reports.push_back(work_at(queue, plan, machine));
   // By default all ranks have equally many workers; the idle share takes them so. Each counts its own wall
   // time.
   double busy = report.wall_seconds * (1.0 - report.idle), wall = report.wall_seconds;

@@ -47,8 +47,8 @@ inline int n_workers(const Ranks* ranks, int threads) {
 /// workers of all ranks. Without ranks this process is alone.
 WorkReport work_as_host(const Ranks* ranks, StoreQueue& queue, const Plan& plan,
                         const MachineOptions& machine);
-/// The other ranks: plan after plan, until rank 0 lets them go. `stop` ends the work of this one soon: rank 0
-/// goes on without it, its tests are left for a resume.
+/// The other ranks: plan after plan, until rank 0 lets them go. `stop` ends the work of this one soon: the
+/// others go on without it, and take its tests.
 void work_as_guest(const Ranks& ranks, const MachineOptions& machine, const std::atomic<bool>& stop);
 
 }  // namespace phy::study
