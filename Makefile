@@ -153,7 +153,7 @@ clang-hash: deps-clang
 	@$(call made,clang) --target one_hash
 	build/clang/one_hash --gtest_filter='GoldenHashes.*'
 
-# Studies over MPI ranks, built and tested beside the usual build.
+# Studies and calibrations over MPI ranks, built and tested beside the usual build.
 mpi:
 	@$(call made,mpi) --target phyllite test_x_mpi
 	@$(call tested,mpi) -L mpi

@@ -21,7 +21,6 @@
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
 #include "study/store_queue.hpp"
-#include "study/worker.hpp"
 #include "system/files.hpp"
 
 namespace phy::calibrate {
@@ -155,10 +154,10 @@ class OwnSimulator : public Simulator {
         const auto packing = known != packings_.end() ? known->second : study::packing_of(recipe);
         options_.sink->add(*study::specimen_of(packing, recipe), recipe, result);
       };
-    study::StoreQueue queue(plan, store(), hooks, options_.threads);
+    study::StoreQueue queue(plan, store(), hooks, study::n_workers(options_.ranks, options_.threads));
     study::MachineOptions machine;
     machine.threads = options_.threads, machine.isa = engine::native_isa();
-    const study::WorkReport report = study::work_at(queue, plan, machine);
+    const study::WorkReport report = study::work_as_host(options_.ranks, queue, plan, machine);
     if (options_.on_work) options_.on_work(report);
   }
 };

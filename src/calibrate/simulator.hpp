@@ -11,6 +11,7 @@
 #include "records/elastic.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
+#include "study/mpi.hpp"
 #include "study/work.hpp"
 
 namespace phy::calibrate {
@@ -79,8 +80,9 @@ struct SimulatorOptions {
   std::function<void(const study::WorkReport&)> on_work = nullptr;  ///< after every batch of tests
   /// A running test after each block; from a worker, one at a time.
   std::function<void(const RunningTest&)> on_reading = nullptr;
-  bool with_untrusted = false;   ///< tests that are not to be trusted count like the others
-  SpecimenSink* sink = nullptr;  ///< called from a worker, one at a time; null: pictures are lost
+  bool with_untrusted = false;          ///< tests that are not to be trusted count like the others
+  SpecimenSink* sink = nullptr;         ///< called from a worker, one at a time; null: pictures are lost
+  const study::Ranks* ranks = nullptr;  ///< that run tests, too; null: none
 };
 
 /// This program: packings from the cache, statics, press. Tests that the store holds are not run again.

@@ -41,8 +41,11 @@ StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& rec
       parameters_(strength_parameters(evidence)),
       middle_sigma_(std::log(evidence.scales.strength / usual_ratio)),
       read_(read) {
-  for (const Target& t : targets_)
-    prior_.push_back(maps::prior_strength(evidence, recipe, t)), variances_.push_back(variance(t));
+  for (const Target& t : targets_) {
+    prior_.push_back(maps::prior_strength(evidence, recipe, t));
+    // Once, as the sampler asks for them some hundred thousand times.
+    variances_.push_back(variance(t)), log_means_.push_back(std::log(t.mean));
+  }
   for (const Parameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
   for (const Parameter* p : strength_ratios(evidence)) {
     const auto least = p->strength->least;
@@ -107,7 +110,7 @@ void StrengthPosterior::learn() {
 
 std::vector<double> StrengthPosterior::inputs(const Point& x, std::size_t target) const {
   std::vector<double> all = places(x);
-  if (targets_[target].confining == 0.0) all.pop_back();
+  all.resize(n_inputs(target, all));
   return all;
 }
 
@@ -119,15 +122,15 @@ std::vector<double> StrengthPosterior::places(const Point& x) const {
   return all;
 }
 
-Surrogate::Value StrengthPosterior::response(const Point& x, std::size_t target) const {
+Surrogate::Value StrengthPosterior::response(const std::vector<double>& places, std::size_t target) const {
   const Surrogate& model = models_[target];
-  Surrogate::Value v = model.at(inputs(x, target));
+  Surrogate::Value v = model.at(std::span(places).first(n_inputs(target, places)));
   v.mean += 0.5 * model.scatter_variance();  // log-normal: the mean lies above the median
   return v;
 }
 
 Surrogate::Value StrengthPosterior::predict(const Point& x, std::size_t target) const {
-  Surrogate::Value v = response(x, target);
+  Surrogate::Value v = response(places(x), target);
   v.mean += log_sigma_c(x);
   return v;
 }
@@ -154,13 +157,15 @@ bool StrengthPosterior::inside(const Point& x) const {
 
 std::vector<StrengthPosterior::Miss> StrengthPosterior::misses(const Point& x) const {
   std::vector<Miss> all;
+  all.reserve(targets_.size());
+  const std::vector<double> at = places(x);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const Surrogate::Value model = predict(x, i);
-    all.push_back(
-        {targets_[i].property, std::log(targets_[i].mean) - model.mean, model.variance, scatter_of(i)});
+    const Surrogate::Value model = response(at, i);
+    const double mean = model.mean + log_sigma_c(x);
+    all.push_back({targets_[i].property, log_means_[i] - mean, model.variance, scatter_of(i)});
   }
   if (read_ != nullptr)
-    for (Miss m : read_->misses(places(x))) m.scatter = counted(m.property, m.scatter), all.push_back(m);
+    for (Miss m : read_->misses(at)) m.scatter = counted(m.property, m.scatter), all.push_back(m);
   return all;
 }
 
@@ -274,13 +279,14 @@ std::vector<Point> StrengthPosterior::spread_points(int n) const {
 /// sigma_c that fits best with the ratios of a point.
 double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const {
   double weight = 0.0, sum = 0.0;
+  const std::vector<double> at = places(x);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     // Under a stress on the sides strength is not proportional to sigma_c, and has no best value in closed
     // form.
     if (i == left_out || targets_[i].confining > 0.0) continue;
-    const Surrogate::Value f = response(x, i);
+    const Surrogate::Value f = response(at, i);
     const double w = 1.0 / (f.variance + (scatter_of(i) + discrepancy(targets_[i].property)));
-    weight += w, sum += w * (std::log(targets_[i].mean) - f.mean);
+    weight += w, sum += w * (log_means_[i] - f.mean);
   }
   if (weight == 0.0) return likeliest_sigma(x, left_out);
   // Just inside: a walker that begins where the density is zero may stay there.

@@ -106,7 +106,7 @@ class StrengthPosterior {
   std::vector<double> least_;  // places of the ratios: -1, or what the recipe asks of them
   double middle_sigma_ = 0.0;  // logarithm
   std::array<double, n_properties> discrepancy_ = {};
-  std::vector<double> variances_;  // of the targets
+  std::vector<double> variances_, log_means_;  // of the targets
   const ReadModuli* read_ = nullptr;
   bool errors_count_ = false;
 
@@ -123,10 +123,14 @@ class StrengthPosterior {
   double log_prior(const Point& x) const;
   bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was
 
-  /// log of that mean over sigma_c.
-  Surrogate::Value response(const Point& x, std::size_t target) const;
+  /// log of that mean over sigma_c. From places: they are the same for all targets.
+  Surrogate::Value response(const std::vector<double>& places, std::size_t target) const;
   std::size_t index_of(const Parameter& p) const;
   bool inside(const Point& x) const;
+  /// Of the places; without a stress on the sides strength is proportional to sigma_c, the last of them.
+  std::size_t n_inputs(std::size_t target, const std::vector<double>& places) const {
+    return places.size() - (targets_[target].confining == 0.0 ? 1 : 0);
+  }
   std::vector<Point> spread_points(int n) const;
   double best_sigma(const Point& x, std::size_t left_out) const;
   double likeliest_sigma(Point x, std::size_t left_out) const;

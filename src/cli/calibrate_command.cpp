@@ -44,9 +44,10 @@ void print_result(const Calibration& result, const study::WorkReport& work, int 
   print_out("{}", jobs::screen_of(result, width));
   print_wrapped(width, 2, "{:.1f} s in all{}\n", result.seconds,
                 lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
+  if (work.n_guest > 0) print_out("{} tests on other ranks\n", work.n_guest);
 }
 
-int run_calibration(const jobs::CalibrationRequest& args, const Session& session) {
+int run_calibration(const jobs::CalibrationRequest& args, const Session& session, const study::Ranks* ranks) {
   // The job checks options and folder when it is made, so nothing is printed of a request that is refused.
   jobs::CalibrationJob job(rock::read_rock(args.rock), args);
   const int width = session.terminal_width;
@@ -58,14 +59,14 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   ProgressLine line;
   study::WorkReport work;
   jobs::CalibrationHooks hooks;
-  hooks.threads = n_threads(session), hooks.stop = stop_on_interrupt();
+  hooks.threads = n_threads(session), hooks.ranks = ranks, hooks.stop = stop_on_interrupt();
   hooks.say = [&](const std::string& text) { line.stage(text); };
   hooks.tests = [&](const calibrate::TestProgress&, const std::string& text) {
     line.show([&](double) { return text; });
   };
   // Tests run in batches, one report each: the last line tells of all of them.
   hooks.work = [&](const study::WorkReport& some) {
-    work.cpu_seconds += some.cpu_seconds, work.lanes.add(some.lanes);
+    work.cpu_seconds += some.cpu_seconds, work.n_guest += some.n_guest, work.lanes.add(some.lanes);
   };
   const Calibration result = job.run(hooks);  // writes its files: the output may be full
   line.finish();
@@ -113,13 +114,18 @@ void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::Cal
 
 void add_calibrate_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<jobs::CalibrationRequest>();
+  auto mpi = std::make_shared<bool>(false);
   CLI::App* verb = app.add_subcommand(
       "calibrate", "calibrate a model from a laboratory table: parameters with intervals, and a verdict");
   verb->add_option("rock", args->rock, "rock file (TOML)")->required()->type_name("FILE");
   for (const jobs::CalibrationOption& option : jobs::calibration_options()) add_option(*verb, option, *args);
+  verb->add_flag("--mpi", *mpi, "run the tests on all ranks of mpirun; rank 0 keeps the folder");
   add_reference(*verb, jobs::calibration_reference,
                 "print the tables of parameters, models, efforts, packings and keys");
-  verb->callback([args, &session] { session.exit_code = run_calibration(*args, session); });
+  verb->callback([args, mpi, &session] {
+    session.exit_code = on_ranks(
+        *mpi, session, [&](const study::Ranks* ranks) { return run_calibration(*args, session, ranks); });
+  });
 }
 
 }  // namespace phy::cli

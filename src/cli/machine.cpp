@@ -26,6 +26,14 @@ const std::atomic<bool>* stop_on_interrupt() {
   return &system::stop_requested();
 }
 
+int on_ranks(bool mpi, const Session& session, const std::function<int(const study::Ranks*)>& verb) {
+  if (!mpi) return verb(nullptr);
+  const study::Ranks ranks(n_threads(session));
+  if (ranks.rank() == 0) return verb(&ranks);
+  study::work_as_guest(ranks, machine_of(session), *stop_on_interrupt());
+  return 0;
+}
+
 void make_file_or_stop(const std::string& path,
                        const std::function<void(const std::string& temporary)>& make) {
   const std::atomic<bool>& stop_requested = *stop_on_interrupt();

@@ -27,7 +27,6 @@
 #include "study/store_queue.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
-#include "study/worker.hpp"
 
 namespace phy::cli {
 namespace {
@@ -71,7 +70,7 @@ struct Place {
 
 struct StudyRun {
   study::WorkReport report;
-  std::size_t n_new = 0, n_guest = 0;
+  std::size_t n_new = 0;
 };
 
 StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& session,
@@ -89,11 +88,10 @@ StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& s
   study::StoreQueue queue(plan, store, hooks,
                           // The time left depends on all threads that take tests from this store, those of
                           // other ranks too.
-                          ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
-  const study::WorkReport report = ranks != nullptr ? study::work_as_host(*ranks, queue, plan, machine)
-                                                    : study::work_at(queue, plan, machine);
+                          study::n_workers(ranks, machine.threads));
+  const study::WorkReport report = study::work_as_host(ranks, queue, plan, machine);
   line.finish();
-  return {report, queue.progress().n_new, queue.progress().n_guest};
+  return {report, queue.progress().n_new};
 }
 
 std::ptrdiff_t n_finished(const study::StudyRows& rows) {
@@ -124,7 +122,7 @@ int finish_study(const study::Plan& plan, const study::Store& store, const Place
                 "\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %{}{}\n", run.n_new,
                 report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
                 report.cpu_seconds, 100.0 * report.idle, lanes.empty() ? "" : ", ", lanes);
-  if (run.n_guest > 0) print_out("{} of them on other ranks\n", run.n_guest);
+  if (report.n_guest > 0) print_out("{} of them on other ranks\n", report.n_guest);
   // One hash of all results: two machines that print the same have the same results.
   print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
   if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, shell_word(folder));
@@ -132,28 +130,22 @@ int finish_study(const study::Plan& plan, const study::Store& store, const Place
   return n_bad + n_left > 0 ? 1 : 0;
 }
 
-/// All but rank 0: work for rank 0's store, write and print nothing.
-int run_as_guest(const study::Plan& plan, const study::Ranks& ranks, const study::MachineOptions& machine) {
-  // A collective call: without the guests rank 0 would wait for ever.
-  ranks.sum(machine.threads);
-  study::work_as_guest(ranks, plan, machine, *stop_on_interrupt());
-  return 0;
-}
+struct StudyTask {
+  study::Study study;
+  jobs::StudyFiles files;
+  std::string folder;
+};
 
-int run_study(const study::Study& study, const jobs::StudyFiles& files, const StudyArguments& args,
-              const std::string& folder, const Session& session) {
+int run_study(const StudyTask& task, const StudyArguments& args, const Session& session,
+              const study::Ranks* ranks) {
+  const auto& [study, files, folder] = task;
   const study::Shard shard = parse_shard(args.shard);
   // A dry run writes nothing and may look at a folder that others write to.
   if (!args.dry_run) jobs::check_study_outputs(files, folder, shard);
   jobs::refuse_other_study(study, folder);
   // Whole runs after parts: what parts have done already would be run again.
   if (shard.n == 1) jobs::refuse_unmerged(folder);
-  std::optional<study::Ranks> ranks;
-  if (args.mpi) ranks.emplace();
   const study::Plan plan = study::make_plan(study, shard);
-  // Ranks may sit on machines with different copies of the study; test numbers would mean different tests.
-  if (ranks) ranks->check_same(plan);
-  if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
   const std::string file = jobs::store_file(folder, shard);
   if (args.dry_run) {
     study::StudyRows rows(plan.tests.size());
@@ -166,7 +158,7 @@ int run_study(const study::Study& study, const jobs::StudyFiles& files, const St
   const auto store = jobs::begin_study(files, folder, shard);
   print_plan(plan, study::rows_of(plan, *store), session);
   flush_out();
-  const StudyRun run = run_plan(plan, *store, session, ranks ? &*ranks : nullptr);
+  const StudyRun run = run_plan(plan, *store, session, ranks);
   return finish_study(plan, *store, {folder, shard}, run, session);
 }
 
@@ -275,7 +267,7 @@ std::string slurm_script(const StudyArguments& args, const std::string& folder, 
 /// Files of a study whose keys can be explained.
 std::vector<const io::Schema*> files_of_keys() { return {&study::study_schema(), &io::regression_schema()}; }
 
-int study_verb(const StudyArguments& args, const Session& session) {
+int study_verb(const StudyArguments& args, const Session& session, const study::Ranks* ranks) {
   if (args.reference || !args.key.empty()) {
     const std::vector<const io::Schema*> files = files_of_keys();
     if (!args.key.empty()) return write_out(jobs::explain(files, args.key)), 0;
@@ -292,7 +284,7 @@ int study_verb(const StudyArguments& args, const Session& session) {
     print_out("{}", slurm_script(args, folder, session.threads));
     return 0;
   }
-  return run_study(study, study::study_files(study), args, folder, session);
+  return run_study({study, study::study_files(study), folder}, args, session, ranks);
 }
 
 }  // namespace
@@ -364,12 +356,15 @@ void add_study_command(CLI::App& app, Session& session) {
       ->type_name("FILE");
   study->callback([=, &session] {
     for (const CLI::App* chosen : study->get_subcommands()) refuse_unused(*study, *chosen);
+    const auto run = [&](const study::Ranks* ranks) {
+      return *resume ? run_study({jobs::study_in(args->folder), {}, args->folder}, *args, session, ranks)
+                     : study_verb(*args, session, ranks);
+    };
     session.exit_code = *status    ? status_of(*args, session)
-                        : *resume  ? run_study(jobs::study_in(args->folder), {}, *args, args->folder, session)
                         : *csv     ? export_study(*args)
                         : *effects ? effects_of_study(*args, session)
                         : *merge   ? merge_stores(*args, session)
-                                   : study_verb(*args, session);
+                                   : on_ranks(args->mpi, session, run);
   });
 }
 

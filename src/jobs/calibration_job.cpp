@@ -47,7 +47,8 @@ calibrate::Listener CalibrationJob::listener(const CalibrationHooks& hooks) {
 
 Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
   calibrate::SimulatorOptions machine;
-  machine.threads = hooks.threads, machine.stop = hooks.stop, machine.on_work = hooks.work;
+  machine.threads = hooks.threads, machine.ranks = hooks.ranks, machine.stop = hooks.stop;
+  machine.on_work = hooks.work;
   machine.with_untrusted = request_.with_untrusted;
   if (begun_) {
     // Without a folder nobody can look, and there is nowhere to keep a picture.
@@ -60,9 +61,11 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
     hooks.tests(p, progress_text(p, *clock_, now()));
     if (watch_) watch_->tests(p, clock_->place(), clock_->at(now()));
   };
-  clock_.emplace(seconds_per_cost(hooks.threads));
+  // Direct solutions stay on this process; tests take most of the time.
+  const int n_workers = study::n_workers(hooks.ranks, hooks.threads);
+  clock_.emplace(seconds_per_cost(n_workers));
   options_.listener = listener(hooks);
-  hooks.say(report::sentence(expected_course(calibrate::outlook_of(evidence_, options_), hooks.threads)));
+  hooks.say(report::sentence(expected_course(calibrate::outlook_of(evidence_, options_), n_workers)));
   Calibration result = calibrate::calibrate(evidence_, options_, *calibrate::make_simulator(machine));
   result.asked = asked(request_);
   if (!begun_) return result;

@@ -14,7 +14,8 @@ namespace phy::jobs {
 
 /// Where it runs, and who follows it. Functions are called from workers, one at a time.
 struct CalibrationHooks {
-  int threads = 1;
+  int threads = 1;                      ///< of this process
+  const study::Ranks* ranks = nullptr;  ///< that run tests, too; null: none
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const std::string&)> say;  ///< what begins, one line
   /// Of this batch; and where the calibration is, and how long it goes on.

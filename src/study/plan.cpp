@@ -95,8 +95,9 @@ class PlanMaker {
 
 }  // namespace
 
-Plan plan_of(const std::vector<Recipe>& singles) {
+Plan plan_of(const std::vector<Recipe>& singles, Solver solver) {
   Plan plan;
+  plan.study.solver = solver;
   PlanMaker maker(plan);
   for (std::size_t i = 0; i < singles.size(); ++i)
     // No study around them: point 0, the seeds of the recipe.

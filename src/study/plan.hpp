@@ -59,7 +59,7 @@ struct Shard {
 Plan make_plan(const Study& study, const Shard& shard = {});
 
 /// A plan of given specimens without a study around them: run i is specimen i; equal ones are one test.
-Plan plan_of(const std::vector<Recipe>& singles);
+Plan plan_of(const std::vector<Recipe>& singles, Solver solver = Solver::dynamic);
 
 /// A plan of specimens that are made already, all of one packing: test i is specimen i by recipe i; equal
 /// ones stay two tests.

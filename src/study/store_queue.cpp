@@ -70,8 +70,14 @@ bool StoreQueue::refresh_claims() {
 
 void StoreQueue::deliver_from(const std::string& host, std::size_t test, TestResult result) {
   const PlannedTest& t = plan_.tests[test];
-  // An interrupted test has no result: another process, or the next run, may take it.
-  if (result.outcome.status == Status::interrupted) return store_.release(t.key);
+  // An interrupted test has no result: another process, or the next run, may take it. A calibration has no
+  // next run of a plan: where one rank alone was stopped the others take its tests.
+  if (result.outcome.status == Status::interrupted) {
+    store_.release(t.key);
+    const std::lock_guard lock(mutex_);
+    if (!stopped()) enqueue(test);
+    return;
+  }
   // Stored first, counted afterwards: what is reported as finished is on the disk.
   store_.put(t.key, io::write_recipe(t.recipe), result, host);
   const std::lock_guard lock(mutex_);

@@ -205,6 +205,28 @@ TEST_F(Queues, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
   EXPECT_EQ(now.n_failed, n_failed);  // untrusted ones are among them: the platens are fast here
 }
 
+// As of a rank that was stopped alone (study/mpi.hpp): a calibration would take a hole for an answer.
+TEST_F(Queues, AnInterruptedTestGoesToTheNextWorkerUnlessAllAreStopped) {
+  const Plan p = plan("[set]\n\"packing.seed\" = 3\n");
+  Store store(at("s.sqlite"));
+  std::atomic<bool> stop{false};
+  Hooks hooks;
+  hooks.stop = &stop;
+  StoreQueue queue(p, store, hooks, 1);
+  const Assignment a = queue.enter();
+  const auto give_out = [&] { return queue.take(a.batch, {}); };
+  std::vector<std::size_t> first, second;
+  while (const auto test = give_out()) first.push_back(*test);
+  ASSERT_EQ(first.size(), p.tests.size());
+  for (const std::size_t test : first) queue.deliver_from("elsewhere", test, TestResult());
+  while (const auto test = give_out()) second.push_back(*test);
+  EXPECT_EQ(second, first);
+  stop = true;
+  for (const std::size_t test : second) queue.deliver_from("elsewhere", test, TestResult());
+  stop = false;
+  EXPECT_FALSE(give_out()) << "left for the next run";
+}
+
 // Of discs cut from a packing that is given by its porosity.
 TEST_F(Queues, WorkIsCountedInTheGrainsThatRan) {
   io::write_file(at("base.toml"),

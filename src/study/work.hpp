@@ -65,6 +65,7 @@ struct WorkReport {
   double wall_seconds = 0.0;  ///< from the first start to the last end
   double idle = 0.0;          ///< share of workers' time without work
   LaneUse lanes;              ///< of tests, not of direct solutions
+  std::size_t n_guest = 0;    ///< tests of other ranks (study/mpi.hpp)
 };
 
 }  // namespace phy::study

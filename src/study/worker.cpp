@@ -103,9 +103,11 @@ class Worker {
     auto lane_batch = std::make_unique<LaneBatch>(
         any.specimen ? any.specimen->packing : genesis::shaped(packing_, any.recipe),
         lane_batch_options(a.n_tests, alike, any.recipe, machine_));
-    const LaneHooks lanes = hooks([&] { return next(a.batch); });
-    lane_batch->fill(lanes);
-    run_lane_batch(std::move(lane_batch), lanes, exchange_);
+    // No more than its share to begin with: where there are fewer tests than lanes of all workers, full lanes
+    // here would leave others without a test.
+    std::size_t share = a.n_tests;
+    lane_batch->fill(hooks([&] { return share-- > 0 ? next(a.batch) : std::nullopt; }));
+    run_lane_batch(std::move(lane_batch), hooks([&] { return next(a.batch); }), exchange_);
   }
   /// False: there is none.
   bool make_packing(std::size_t batch, const Recipe& recipe) {

@@ -1,4 +1,5 @@
-// The same study on threads and on MPI ranks of this machine: one store, hash for hash.
+// The same study, and the same calibration, on threads and on MPI ranks of this machine: one store, hash for
+// hash; one calibration.json.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,6 +36,29 @@ TEST_F(RanksTest, GiveTheStoreOfThreads) {
     EXPECT_THAT(output, HasSubstr("21 run in"));
     EXPECT_THAT(output, HasSubstr("on other ranks"));
     EXPECT_EQ(hash(), threads) << n << " ranks";
+  }
+}
+
+/// A table of the least specimen, and a budget that lasts from the search to the verification.
+TEST_F(RanksTest, GiveTheCalibrationOfThreads) {
+  write("start.toml",
+        "[specimen]\nwidth = \"7 mm\"\nheight = \"14 mm\"\n[packing]\nn_grains = 253\n[[bedding]]\nspacing = "
+        "\"2 mm\"\n");
+  write("table.csv",
+        "theta [deg],E [GPa],nu,UCS [MPa],n\n0,17.5,0.10,105,3\n60,21.0,0.5,45,3\n90,48,0.25,128,3\n");
+  const std::string rock = write("rock.toml", "data = \"table.csv\"\nrecipe = \"start.toml\"\n");
+  const auto calibrate = [&](const std::string& name) {
+    return "calibrate " + rock + " --threads 1 --max-tests 54 --out " + at(name);  // the least
+  };
+  const auto left = [&](const std::string& name) {
+    return read(at(name) + "/calibration.json") + read(at(name) + "/specimens/theta_60_deg/scene.bin");
+  };
+  ASSERT_THAT(run(calibrate("threads")), testing::AnyOf(0, 1)) << output;
+  for (const int n : {1, 2, 4}) {
+    const std::string name = "ranks" + std::to_string(n);
+    ASSERT_THAT(on_ranks(n, calibrate(name)), testing::AnyOf(0, 1)) << output;
+    EXPECT_EQ(output.find("tests on other ranks") != output.npos, n > 1) << output;
+    EXPECT_EQ(left(name), left("threads")) << n << " ranks";
   }
 }
 
