@@ -12,8 +12,7 @@ namespace phy::events {
 
 /// Principal moments, the larger first.
 std::array<double, 2> principal_moments(const MomentTensor& tensor);
-/// sqrt((m1^2 + m2^2) / 2): that of a double couple +-m is m (Silver & Jordan 1982; of contact forces Hazzard
-/// & Young 2002).
+/// sqrt((m1^2 + m2^2) / 2): that of a double couple +-m is m (of contact forces Zhao et al. 2021).
 double scalar_moment(const MomentTensor& tensor);
 /// 2/3 log10(M0 / N m) - 6 (Hanks & Kanamori 1979). `moment` is in N m. -infinity: no moment.
 double magnitude_of(double moment);
