@@ -6,9 +6,14 @@
 namespace phy::events {
 
 double Counts::share(double part) const {
+  // Straight between rows: a laboratory writes a few.
   const auto up_to = [&](double limit) {
-    const auto behind = std::upper_bound(strain.begin(), strain.end(), limit);
-    return behind == strain.begin() ? 0.0 : n[static_cast<std::size_t>(behind - strain.begin()) - 1];
+    const auto behind =
+        static_cast<std::size_t>(std::upper_bound(strain.begin(), strain.end(), limit) - strain.begin());
+    if (behind == 0) return 0.0;
+    if (behind == strain.size()) return n.back();
+    const double way = (limit - strain[behind - 1]) / (strain[behind] - strain[behind - 1]);
+    return n[behind - 1] + way * (n[behind] - n[behind - 1]);
   };
   const double all = up_to(peak);
   return all > 0.0 ? up_to(part * peak) / all : nan;

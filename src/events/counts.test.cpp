@@ -17,8 +17,9 @@ std::vector<AcousticEvent> at(std::initializer_list<double> strains) {
 TEST(Counts, AreSharesOfThoseUpToThePeak) {
   const Counts c = counts_of(at({-0.3, -0.1, -0.2, -0.4, -0.9}), -1.0, 0.4);
   EXPECT_DOUBLE_EQ(c.share(0.0), 0.0);
-  EXPECT_DOUBLE_EQ(c.share(0.26), 0.25);
-  EXPECT_DOUBLE_EQ(c.share(0.6), 0.5);
+  EXPECT_DOUBLE_EQ(c.share(0.2), 0.0) << "before the first";
+  EXPECT_NEAR(c.share(0.25), 0.25, 1e-12);
+  EXPECT_NEAR(c.share(0.625), 2.5 / 4.0, 1e-12) << "halfway from the second to the third";
   EXPECT_DOUBLE_EQ(c.share(1.0), 1.0);
   EXPECT_DOUBLE_EQ(c.share(3.0), 1.25) << "behind the peak";
   EXPECT_TRUE(std::isnan(counts_of(at({}), 1.0, 0.4).share(1.0)));

@@ -48,29 +48,31 @@ Panel frequency_panel(const SpecimenRecord& t) {
 /// Circles of one type in one series: a point without a height parts each from the next.
 Series circles_of(const SpecimenRecord& t, SourceType type) {
   Series s{to_string(type), Mark::line, Role::listed, static_cast<std::size_t>(type)};
+  const SpecimenSize& size = t.recipe.specimen;
   const double largest = value_of(t, "largest_magnitude");
   constexpr int chords = 16;
   for (const AcousticEvent& e : t.result.events) {
     if (e.type != type || !std::isfinite(e.magnitude)) continue;
-    const double r = event_radius(e, largest, t.recipe.specimen.width);
+    // About the middle of the specimen [mm]: both axes of a picture without a frame have one range.
+    const double r = event_radius(e, largest, size.width);
+    const Vec2 middle = e.position - Vec2{0.5 * size.width, 0.5 * size.height};
     for (int i = 0; i <= chords; ++i) {
       const double a = 2.0 * std::numbers::pi * i / chords;
-      s.points.push_back({1e3 * (e.position.x + r * std::cos(a)), 1e3 * (e.position.y + r * std::sin(a))});
+      s.points.push_back({1e3 * (middle.x + r * std::cos(a)), 1e3 * (middle.y + r * std::sin(a))});
     }
-    s.points.push_back({1e3 * e.position.x});
+    s.points.push_back({1e3 * middle.x});
   }
   return s;
 }
 
 Panel places_panel(const SpecimenRecord& t) {
   const SpecimenSize& size = t.recipe.specimen;
-  const double most = 1.05e3 * std::max(size.width, size.height);
-  const double left = 0.5 * (1e3 * size.width - most), low = 0.5 * (1e3 * size.height - most);
-  Panel panel{heading(t.result), "", Axis{"", "mm", left, left + most}, Axis{"", "mm", low, low + most}};
+  const double most = 0.53e3 * std::max(size.width, size.height);
+  Panel panel{heading(t.result), "", Axis{"", "", -most, most}, Axis{"", "", -most, most}};
   panel.framed = false;
   Series outline{"", Mark::line, Role::frame};
-  const double w = 1e3 * size.width, h = 1e3 * size.height;
-  outline.points = {{0.0, 0.0}, {w, 0.0}, {w, h}, {0.0, h}, {0.0, 0.0}};
+  const double w = 0.5e3 * size.width, h = 0.5e3 * size.height;
+  outline.points = {{-w, -h}, {w, -h}, {w, h}, {-w, h}, {-w, -h}};
   panel.series.push_back(outline);
   for (const SourceType type : all_source_types) panel.series.push_back(circles_of(t, type));
   return panel;
