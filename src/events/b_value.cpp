@@ -27,6 +27,7 @@ BValue b_value(std::span<const double> magnitudes, double completeness) {
   mean /= n;
   for (const double m : magnitudes)
     if (m >= completeness) squares += (m - mean) * (m - mean);
+  // Magnitudes that are all alike tell no slope.
   if (!(mean > completeness)) return found;
   found.b = 1.0 / (ln_10 * (mean - completeness));
   found.error = ln_10 * found.b * found.b * std::sqrt(squares / (n * (n - 1.0)));
@@ -54,6 +55,7 @@ std::vector<double> magnitudes_of(std::span<const AcousticEvent> events) {
 std::vector<Number> event_numbers(std::span<const AcousticEvent> events, double thickness) {
   const std::vector<double> magnitudes = magnitudes_of(events);
   const auto largest = std::max_element(magnitudes.begin(), magnitudes.end());
+  // Small sources are as frequent as bonds are few: below the completeness no law is to be expected.
   const BValue b = b_value(magnitudes, completeness_of(magnitudes));
   const auto count = [&](SourceType type) {
     return static_cast<double>(

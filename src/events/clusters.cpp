@@ -8,6 +8,7 @@
 namespace phy::events {
 
 Window window_of(const Specimen& specimen) {
+  // Of the model and not of the rock: what breaks here are bonds between these grains.
   double diameter = 0.0;
   const std::vector<Disc>& discs = specimen.packing->discs;
   for (const Disc& d : discs) diameter += 2.0 * d.r / static_cast<double>(discs.size());
@@ -24,6 +25,7 @@ std::vector<std::vector<std::size_t>> clusters(std::span<const CrackEvent> crack
       if (norm(cracks[i].position - cracks[k].position) <= window.reach &&
           std::fabs(cracks[i].time - cracks[k].time) <= window.duration)
         all.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
+  // A cluster has the number of its first member, so that the clusters come in the order in which they began.
   std::map<std::uint32_t, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < cracks.size(); ++i)
     members[all.find(static_cast<std::uint32_t>(i))].push_back(i);

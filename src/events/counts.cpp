@@ -36,6 +36,7 @@ Counts counts_of(const History& history) {
     if (row.axial_stress > highest) highest = row.axial_stress, counts.peak = row.axial_strain;
     if (!std::isfinite(row.n_cracks) || (!counts.strain.empty() && row.axial_strain <= counts.strain.back()))
       continue;
+    // Of a curve that unloads only the way forward counts.
     counts.strain.push_back(row.axial_strain), counts.n.push_back(row.n_cracks);
   }
   return counts;

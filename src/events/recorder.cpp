@@ -34,6 +34,7 @@ AcousticEvent Recorder::event_of(std::span<const std::size_t> members) const {
 void Recorder::sample(std::span<const std::size_t> members) {
   std::vector<std::uint32_t> grains;
   for (const std::size_t i : members) grains.insert(grains.end(), {recent_[i].a, recent_[i].b});
+  // Cracks of one event share grains, and each is one grain of the source.
   std::sort(grains.begin(), grains.end());
   grains.erase(std::unique(grains.begin(), grains.end()), grains.end());
   Begun& begun = begun_[members.front()];
@@ -42,6 +43,7 @@ void Recorder::sample(std::span<const std::size_t> members) {
 }
 
 void Recorder::after_block(double time, std::span<const CrackEvent> cracks, Forces forces) {
+  // Whatever broke first in this block, the forces before it are those at the block's start.
   for (const CrackEvent& c : cracks) recent_.push_back(c), begun_.push_back({forces_, {}});
   forces_ = std::make_shared<const Forces>(std::move(forces));
   std::vector<bool> over(recent_.size());
@@ -52,6 +54,7 @@ void Recorder::after_block(double time, std::span<const CrackEvent> cracks, Forc
     events_.push_back(event_of(members));
     for (const std::size_t i : members) over[i] = true;
   }
+  // The order in time stays: clusters begin with their first crack.
   std::size_t kept = 0;
   for (std::size_t i = 0; i < recent_.size(); ++i) {
     if (over[i]) continue;
@@ -62,6 +65,7 @@ void Recorder::after_block(double time, std::span<const CrackEvent> cracks, Forc
 }
 
 std::vector<AcousticEvent> Recorder::take() {
+  // Young events have no later block to be read in: they count with what they have come to.
   for (const std::vector<std::size_t>& members : clusters(recent_, window_))
     events_.push_back(event_of(members));
   recent_.clear(), begun_.clear();

@@ -29,6 +29,7 @@ double magnitude_of(double moment) {
 
 double volume_share(const MomentTensor& tensor) {
   const auto [m1, m2] = principal_moments(tensor);
+  // Of two directions, as the third moment is unknown: a third of the trace would mix it in as zero.
   const double trace = m1 + m2, mean = 0.5 * trace;
   const double all = std::fabs(trace) + std::fabs(m1 - mean) + std::fabs(m2 - mean);
   return all > 0.0 ? 100.0 * trace / all : 0.0;

@@ -346,6 +346,7 @@ std::vector<AcousticEvent> parse_events(std::string_view text, const std::string
     for (double* v : {&e.position.x, &e.position.y, &e.tensor.xx, &e.tensor.xy, &e.tensor.yy, &e.moment,
                       &e.thickness, &e.magnitude, &e.volume_share})
       ok = ok && take_number(line, *v);
+    // A word that is no source makes the line unreadable instead of an event of shear.
     const std::optional<SourceType> type = source_type_of(take_word(line));
     e.type = type.value_or(SourceType::shear);
     ok = ok && type && take_number(line, e.energy);

@@ -149,6 +149,7 @@ std::string events_vtp(const std::vector<AcousticEvent>& events, TestKind kind) 
   std::vector<double> xyz, time, strain, moment, magnitude, share, energy, tensor;
   std::vector<std::int64_t> type, cracks;
   for (const AcousticEvent& e : events) {
+    // Three coordinates, as of grains.
     xyz.insert(xyz.end(), {e.position.x, e.position.y, 0.0});
     time.push_back(e.time), strain.push_back(e.strain);
     moment.push_back(e.moment), magnitude.push_back(or_zero(e.magnitude));

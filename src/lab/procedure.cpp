@@ -338,6 +338,7 @@ double Procedure::thickness_of_events() const {
 void Procedure::begin_events() {
   const events::Window window = events::window_of(*specimen_);
   events_.emplace(window, thickness_of_events(), events::forces_of(packing(), group_->snapshot(lane_)));
+  // Of a confinement, for example.
   cracks_seen_ = group_->cracks(lane_).size();
 }
 

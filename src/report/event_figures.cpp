@@ -20,6 +20,7 @@ namespace {
 /// How many events have at least each magnitude.
 Series frequency_of(std::vector<double> magnitudes) {
   Series s{"events", Mark::dots, Role::model};
+  // The largest has one event of at least its size: itself.
   std::sort(magnitudes.begin(), magnitudes.end(), std::greater<>());
   for (std::size_t i = 0; i < magnitudes.size(); ++i)
     s.points.push_back({magnitudes[i], static_cast<double>(i + 1)});
@@ -31,6 +32,7 @@ Panel frequency_panel(const SpecimenRecord& t) {
   panel.y.logarithmic = true;
   const std::vector<double> magnitudes = events::magnitudes_of(t.result.events);
   panel.series.push_back(frequency_of(magnitudes));
+  // Read and not computed: the figure shows what result.json says.
   const double b = value_of(t, "b_value"), from = value_of(t, "magnitude_of_completeness");
   panel.caption = text_of_b_value(b, value_of(t, "b_value_half_width"), value_of(t, "event_thickness"));
   const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
@@ -39,6 +41,7 @@ Panel frequency_panel(const SpecimenRecord& t) {
   if (!std::isfinite(b)) return panel;
   const auto n = static_cast<double>(
       std::count_if(magnitudes.begin(), magnitudes.end(), [&](double m) { return m >= from; }));
+  // From all events that are surely counted down to one.
   Series line{"log N = a - b M", Mark::line, Role::theory};
   line.points = {{from, n}, {from + std::log10(n) / b, 1.0}};
   panel.series.push_back(line);
@@ -67,6 +70,7 @@ Series circles_of(const SpecimenRecord& t, SourceType type) {
 
 Panel places_panel(const SpecimenRecord& t) {
   const SpecimenSize& size = t.recipe.specimen;
+  // A square about the specimen with some room: circles reach beyond its edge.
   const double most = 0.53e3 * std::max(size.width, size.height);
   Panel panel{heading(t.result), "", Axis{"", "", -most, most}, Axis{"", "", -most, most}};
   panel.framed = false;
@@ -82,6 +86,7 @@ Panel counts_panel(const SpecimenRecord& t, const LaboratoryCounts& laboratory) 
   const events::Counts ours = events::counts_of(t.result.events, t.recipe.test.kind->curve.sign,
                                                 std::fabs(value_of(t, "peak_strain"))),
                        theirs = events::counts_of(laboratory.curve);
+  // Shares over shares: a laboratory counts what it hears, on a specimen of another size.
   Panel panel{heading(t.result), "", Axis{"strain over strain at the peak", "%", 0.0, 100.0},
               Axis{"events over events up to the peak", "%", 0.0, 100.0}};
   Series model{"model", Mark::line, Role::model}, measured{laboratory.name, Mark::line, Role::laboratory};

@@ -84,6 +84,7 @@ void draw_circle(Canvas& canvas, Vec2 middle, double r, Color color) {
 /// Where they were, unmagnified: a place of a moment has no displacement of a grain.
 void draw_events(Canvas& canvas, const SpecimenRecord& test, const SpecimenView& view, double strain) {
   const Scene& scene = test.scene;
+  // Circles are of one size from the first frame to the last, so the largest of the whole test counts.
   double largest = -HUGE_VAL;
   for (const AcousticEvent& e : test.result.events) largest = std::max(largest, e.magnitude);
   for (const AcousticEvent& e : test.result.events) {
