@@ -49,7 +49,7 @@ endif()
 
 # The test of hashes alone with what it needs, for another compiler: a third of the program (make clang-hash).
 set(PHY_HASHED ${PHY_SOURCES})
-list(FILTER PHY_HASHED INCLUDE REGEX "/src/(base|records|contact|engine|genesis|lab|analysis|statics|system)/\
+list(FILTER PHY_HASHED INCLUDE REGEX "/src/(base|records|contact|engine|genesis|lab|analysis|events|statics|system)/\
 |/src/io/(ags|csv|deflate|disk|file|new_folder|output|scene|table|table_cells|table_layout|workbook|zip).cpp\
 |/src/study/(design|direct|expected|experiment|lane_batch|plan|task_queue|work|worker).cpp|/src/theory/(goodman|jaeger).cpp|/src/verification/golden.cpp")
 add_executable(one_hash EXCLUDE_FROM_ALL ${PHY_HASHED} ${PHY_KERNELS} tests/determinism/one_hash.test.cpp)

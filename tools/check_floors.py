@@ -14,7 +14,7 @@ FLOORS = {
     "base": 0, "system": 0,
     "records": 1, "theory": 1, "laws": 1,
     "contact": 2,
-    "engine": 3, "analysis": 3, "io": 3,
+    "engine": 3, "analysis": 3, "events": 3, "io": 3,
     "genesis": 4, "lab": 4, "statics": 4, "rock": 4,
     "study": 5, "report": 5,
     "survey": 6, "maps": 6, "calibrate": 6, "verdict": 6, "verification": 6,
@@ -22,7 +22,7 @@ FLOORS = {
     "cli": 8, "gui": 8, "python": 8,
 }
 MAKES_RESULTS = {"laws", "contact", "engine", "analysis", "genesis", "lab", "statics"}
-NEVER = {("analysis", "engine"), ("analysis", "genesis")}
+NEVER = {("analysis", "engine"), ("analysis", "genesis"), ("events", "engine")}
 NEVER |= {(room, "theory") for room in MAKES_RESULTS} | {("theory", room) for room in MAKES_RESULTS}
 NEVER |= {("report", room) for room in MAKES_RESULTS | {"study"}}  # it reads records, whoever made them
 NEVER |= {("study", "report"), ("maps", "calibrate"), ("maps", "survey"), ("survey", "calibrate"), ("calibrate", "engine"), ("calibrate", "contact"), ("calibrate", "report")}

@@ -11,11 +11,14 @@
 #include "cli/machine.hpp"
 #include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
+#include "events/counts.hpp"
 #include "io/load.hpp"
 #include "io/program.hpp"
 #include "records/test_description.hpp"
+#include "report/curves.hpp"
 #include "report/gnuplot_figure.hpp"
 #include "report/run_figures.hpp"
+#include "report/words_of_events.hpp"
 #include "rock/curve.hpp"
 
 namespace phy::cli {
@@ -58,6 +61,15 @@ void print_table(const std::vector<analysis::ComparedNumber>& numbers, int width
   print_out("{}\n", text_table(label, {columns}, width));
   for (const analysis::ComparedNumber& n : numbers)
     if (!n.note.empty()) print_wrapped(width, 2, "{}: {}\n", n.name, n.note);
+}
+
+/// Acoustic events beside those that a laboratory has counted.
+std::string counts_text(const SpecimenRecord& test, const History& theirs) {
+  const events::CountsCompared c =
+      events::compared(events::counts_of(test.result.events, test.recipe.test.kind->curve.sign,
+                                         std::fabs(report::value_of(test, "peak_strain"))),
+                       events::counts_of(theirs));
+  return report::text_of_counts(c.difference, c.part);
 }
 
 constexpr double column_width = 90.0;  // [mm] of a journal
@@ -108,6 +120,8 @@ int compare(const CompareArguments& args, const Session& session) {
         width, 2,
         "stress at equal strain up to the peak: {:.2f} % of our strength apart (root mean square)\n",
         100.0 * distance);
+  if (!test.result.events.empty() && std::isfinite(theirs.history.rows.front().n_cracks))
+    print_wrapped(width, 2, "{}\n", counts_text(test, theirs.history));
   if (!args.figure.empty()) draw(args, ours, theirs.history);
   return tell_provenance(run, width);
 }

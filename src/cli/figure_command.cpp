@@ -19,6 +19,7 @@
 #include "jobs/report.hpp"
 #include "jobs/run_folder.hpp"
 #include "report/figures.hpp"
+#include "rock/curve.hpp"
 #include "rock/file.hpp"
 
 namespace phy::cli {
@@ -27,7 +28,7 @@ namespace {
 constexpr double least_size = 30.0, most_size = 1000.0;  // [mm]
 
 struct FigureArguments {
-  std::string result, rock, kind, format, size, out, data;
+  std::string result, rock, counts, kind, format, size, out, data;
 };
 
 /// What a folder holds, in words.
@@ -84,6 +85,9 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
                              held.calibration && over_angles
                                  ? "a calibration has its laboratory values already"
                                  : "only --kind anisotropy shows laboratory values"});
+  if (!args.counts.empty() && std::string(kind.name) != "events")
+    throw InputError(Problem{"command line", "--counts", args.counts, "none here",
+                             "only --kind events shows counts of a laboratory"});
   report::FigureData data;
   if (held.variation)
     read_study(args.result, data);
@@ -91,6 +95,9 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
     data.calibration = jobs::read_calibration(args.result);
   else
     data.run = held.calibration ? specimens_of(args.result) : io::read_run(args.result);
+  if (!args.counts.empty())
+    data.counts = {rock::read_curve(args.counts).history,
+                   std::filesystem::path(args.counts).filename().string()};
   if (!args.rock.empty()) data.laboratory = targets_of(rock::read_rock(args.rock));
   return data;
 }
@@ -195,6 +202,10 @@ void add_figure_command(CLI::App& app, Session& session) {
   verb->add_option("--data", args->data, "CSV file that gets what is drawn, point by point")
       ->type_name("FILE");
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model")
+      ->type_name("FILE");
+  verb->add_option(
+          "--counts", args->counts,
+          "with --kind events: table (CSV) of a laboratory with axial_strain, axial_stress and counts")
       ->type_name("FILE");
   verb->add_option("--out", args->out, "file; default: KIND.FORMAT here")->type_name("FILE");
   verb->callback([args, &session] { session.exit_code = draw(*args, session.terminal_width); });

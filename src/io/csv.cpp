@@ -247,6 +247,22 @@ std::string crack_header(TestKind kind) {
          ",grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],energy [J/m]";
 }
 
+/// A moment of a slice of rock is one per metre of its thickness: N m / m.
+std::string event_header(TestKind kind) {
+  return "time [s]," + heading(kind->loading_column()) +
+         ",duration [s],n_cracks,x [m],y [m],M_xx [N],M_xy [N],M_yy [N],moment [N],thickness [m],magnitude,"
+         "volume_share [%],source,energy [J/m]";
+}
+
+/// The one of the heads of all tests that a table begins with; of none: that of the first.
+template <class Header>
+std::string header_of(std::string_view text, const Header& header) {
+  const std::string_view first = text.substr(0, text.find('\n'));
+  for (const TestDescription* test : laboratory_tests())
+    if (first == header(*test)) return header(*test);
+  return header(TestKind());
+}
+
 }  // namespace
 
 std::string history_csv(const History& history) {
@@ -276,6 +292,19 @@ std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind) {
   return text;
 }
 
+std::string events_csv(const std::vector<AcousticEvent>& events, TestKind kind) {
+  std::string text = event_header(kind) + "\n";
+  for (const AcousticEvent& e : events) {
+    text += print_number(e.time) + "," + print_number(e.strain) + "," + print_number(e.duration) + "," +
+            std::to_string(e.n_cracks);
+    for (const double v : {e.position.x, e.position.y, e.tensor.xx, e.tensor.xy, e.tensor.yy, e.moment,
+                           e.thickness, e.magnitude, e.volume_share})
+      text += "," + print_number(v);
+    text += std::string(",") + to_string(e.type) + "," + print_number(e.energy) + "\n";
+  }
+  return text;
+}
+
 History parse_history(std::string_view text, const std::string& where) {
   History history;
   const std::string_view header = text.substr(0, text.find('\n'));
@@ -293,10 +322,7 @@ History parse_history(std::string_view text, const std::string& where) {
 
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where) {
   std::vector<CrackEvent> cracks;
-  std::string header = crack_header(TestKind());
-  for (const TestDescription* test : laboratory_tests())
-    if (text.substr(0, text.find('\n')) == crack_header(*test)) header = crack_header(*test);
-  each_line(text, where, header, [&](std::string_view line) {
+  each_line(text, where, header_of(text, crack_header), [&](std::string_view line) {
     CrackEvent c;
     bool ok = take_number(line, c.step) && take_number(line, c.time) && take_number(line, c.strain) &&
               take_number(line, c.a) && take_number(line, c.b);
@@ -309,6 +335,25 @@ std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& w
     return ok && line.empty();
   });
   return cracks;
+}
+
+std::vector<AcousticEvent> parse_events(std::string_view text, const std::string& where) {
+  std::vector<AcousticEvent> events;
+  each_line(text, where, header_of(text, event_header), [&](std::string_view line) {
+    AcousticEvent e;
+    bool ok = take_number(line, e.time) && take_number(line, e.strain) && take_number(line, e.duration) &&
+              take_number(line, e.n_cracks);
+    for (double* v : {&e.position.x, &e.position.y, &e.tensor.xx, &e.tensor.xy, &e.tensor.yy, &e.moment,
+                      &e.thickness, &e.magnitude, &e.volume_share})
+      ok = ok && take_number(line, *v);
+    // A word that is no source makes the line unreadable instead of an event of shear.
+    const std::optional<SourceType> type = source_type_of(take_word(line));
+    e.type = type.value_or(SourceType::shear);
+    ok = ok && type && take_number(line, e.energy);
+    events.push_back(e);
+    return ok && line.empty();
+  });
+  return events;
 }
 
 }  // namespace phy::io

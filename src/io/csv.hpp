@@ -1,5 +1,5 @@
-// Tables as CSV (docs/formats.md): packings in and out, for other programs and from them; histories and
-// cracks.
+// Tables as CSV (docs/formats.md): packings in and out, for other programs and from them; histories,
+// cracks and acoustic events.
 #pragma once
 #include <string>
 #include <string_view>
@@ -31,9 +31,11 @@ std::string contacts_csv(const Specimen& specimen);
 /// One line per row, one column per entry of the columns of its test, the unit in the header.
 std::string history_csv(const History& history);
 std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind);
-/// Read what the two above have written, to the same bits (width and height of a history are not in the
+std::string events_csv(const std::vector<AcousticEvent>& events, TestKind kind);
+/// Read what the three above have written, to the same bits (width and height of a history are not in the
 /// table). Throw IoError with the line that does not fit.
 History parse_history(std::string_view text, const std::string& where);
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where);
+std::vector<AcousticEvent> parse_events(std::string_view text, const std::string& where);
 
 }  // namespace phy::io

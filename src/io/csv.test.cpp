@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "base/check.hpp"
@@ -85,6 +86,31 @@ TEST(CrackFiles, NameWhatCracksAreFiledUnder) {
     ASSERT_EQ(back.size(), 1U);
     EXPECT_EQ(back[0].strain, 4e-5);
   }
+}
+
+// To the same bits, an event without a moment too. In direct shear the way is a displacement.
+TEST(EventFiles, ReadBackWhatIsWritten) {
+  AcousticEvent e;
+  e.time = 1e-5 / 3.0, e.strain = 1e-3, e.duration = 2e-7, e.n_cracks = 3, e.position = {0.01, 0.02};
+  e.tensor = {1.0 / 3.0, -2.0, 0.5}, e.moment = 1.7, e.thickness = 6e-4, e.magnitude = -8.2;
+  e.volume_share = -41.0, e.type = SourceType::implosion, e.energy = 1e-4;
+  AcousticEvent mute;
+  mute.magnitude = -HUGE_VAL;
+  for (const TestDescription* test : laboratory_tests()) {
+    const std::string text = events_csv({e, mute}, *test);
+    EXPECT_THAT(text, HasSubstr("time [s]," + heading(test->loading_column()) + ",duration"));
+    const std::vector<AcousticEvent> back = parse_events(text, "e.csv");
+    ASSERT_EQ(back.size(), 2U);
+    EXPECT_EQ(events_csv(back, *test), text);
+    EXPECT_EQ(back[0].time, e.time);
+    EXPECT_EQ(back[0].tensor.xy, -2.0);
+    EXPECT_EQ(back[0].type, SourceType::implosion);
+    EXPECT_EQ(back[1].magnitude, -HUGE_VAL);
+  }
+  EXPECT_THROW(parse_events("time [s],strain\n", "e.csv"), IoError);
+  std::string loud = events_csv({e}, TestKind());
+  loud.replace(loud.find("implosion"), 9, "explosion");
+  EXPECT_THROW(parse_events(loud, "e.csv"), IoError);
 }
 
 TEST(CrackFiles, AHeadOfNoTestIsRefused) {

@@ -103,7 +103,8 @@ Json bedding_json(const std::vector<BeddingRecord>& bedding) {
   return j;
 }
 
-void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& result) {
+void add_snapshots(NewFolder& folder, const Recipe& recipe, const Packing& packing,
+                   const TestResult& result) {
   std::vector<std::pair<double, std::string>> grains, contacts;
   for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
     const Snapshot& shot = result.snapshots[i];
@@ -114,6 +115,7 @@ void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& 
     folder.add(contacts.back().second, contacts_vtp(packing, shot));
   }
   folder.add("snapshots/cracks.vtp", cracks_vtp(result.cracks, result.history.kind));
+  if (recipe.test.events) folder.add("snapshots/events.vtp", events_vtp(result.events, result.history.kind));
   folder.add("grains.pvd", collection_pvd(grains));
   folder.add("contacts.pvd", collection_pvd(contacts));
 }
@@ -236,7 +238,8 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
   place.add("recipe.toml", write_recipe(recipe));
   place.add("history.csv", history_csv(result.history));
   place.add("cracks.csv", cracks_csv(result.cracks, result.history.kind));
-  add_snapshots(place, *specimen.packing, result);
+  if (recipe.test.events) place.add("events.csv", events_csv(result.events, result.history.kind));
+  add_snapshots(place, recipe, *specimen.packing, result);
   const SpecimenRecord record = record_of(recipe, version, specimen, result);
   place.add("scene.bin", pack_scene(record.scene, result.history.kind));
   // The folder appears as a whole with publish(), whatever the order of files.

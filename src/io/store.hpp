@@ -29,7 +29,8 @@ const std::vector<FileObject>& result_keys();
 /// lost.
 void check_result_place(const std::string& folder);
 
-/// Writes a result folder: result.json, history.csv, cracks.csv, recipe.toml, snapshots for ParaView, scene.
+/// Writes a result folder: result.json, history.csv, cracks.csv, events.csv
+/// where the recipe asks for events, recipe.toml, snapshots for ParaView, scene.
 void write_result(const std::string& folder, const Recipe& recipe, const std::string& version,
                   const Specimen& specimen, const TestResult& result);
 

@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/in_folder_fixture.hpp"
 #include "base/nan.hpp"
+#include "io/load.hpp"
 #include "io/toml_in.hpp"
 #include "records/assembly.hpp"
 #include "records/test_description.hpp"
@@ -60,6 +61,19 @@ TEST_F(Store, ResultFolderHoldsEverything) {
   for (const char* name :
        {"cracks.csv", "recipe.toml", "grains.pvd", "snapshots/grains_0.vtp", "snapshots/cracks.vtp"})
     EXPECT_TRUE(fs::exists(place / name)) << name;
+}
+
+TEST_F(Store, EventsAreThereWhereTheRecipeAsksForThem) {
+  const fs::path place = folder / "heard";
+  Recipe recipe;
+  write_result(place.string(), recipe, "1", pair(), small_result());
+  EXPECT_FALSE(fs::exists(place / "events.csv"));
+  recipe.test.events = true;
+  TestResult r = small_result();
+  r.events.resize(2);
+  write_result(place.string(), recipe, "1", pair(), r);
+  EXPECT_TRUE(fs::exists(place / "snapshots" / "events.vtp"));
+  EXPECT_EQ(read_result(place.string()).result.events.size(), 2U);
 }
 
 TEST_F(Store, ASecondResultReplacesTheFirstAndLeavesNoRest) {

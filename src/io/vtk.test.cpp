@@ -74,6 +74,15 @@ TEST(Vtk, CracksLieAcrossTheirNormal) {
   EXPECT_THAT(cracks_vtp({}, TestKind("uniaxial")), testing::HasSubstr("NumberOfPoints=\"0\""));
 }
 
+TEST(Vtk, EventsArePointsWithTheirTensor) {
+  AcousticEvent e;
+  e.magnitude = -HUGE_VAL;  // ParaView reads no infinity
+  const std::string f = events_vtp({e}, TestKind("uniaxial"));
+  EXPECT_THAT(f, testing::HasSubstr("NumberOfPoints=\"1\" NumberOfVerts=\"1\""));
+  EXPECT_THAT(f, testing::HasSubstr("Name=\"moment tensor [N m per m]\" NumberOfComponents=\"9\""));
+  EXPECT_THAT(events_vtp({}, TestKind("uniaxial")), testing::HasSubstr("NumberOfPoints=\"0\""));
+}
+
 // In direct shear cracks come at a displacement in metres, which is no strain.
 TEST(Vtk, CracksOfDirectShearAreFiledUnderADisplacement) {
   CrackEvent c;

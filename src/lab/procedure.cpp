@@ -11,6 +11,7 @@
 #include "analysis/specimen_checks.hpp"
 #include "base/check.hpp"
 #include "base/nan.hpp"
+#include "events/b_value.hpp"
 #include "lab/instability.hpp"
 #include "records/quality.hpp"
 
@@ -54,6 +55,7 @@ void Procedure::begin() {
   result_.dt = group_->time_step(lane_);
   result_.n_contacts = group_->n_contacts(lane_);
   row_ = {};
+  events_.reset();
   blocks_ = n_at_target_ = n_steady_ = 0;
   phase_ = Phase::settle;
   if (packing().stress_free) {
@@ -81,6 +83,7 @@ void Procedure::start_loading() {
   approaching_ = recipe_.test.approach_strain > 0.0;
   group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prescribe_motion();
+  if (recipe_.test.events) begin_events();
   // Of the specimen as it was made: strains and stresses refer to it.
   result_.history.width = packing().width;
   result_.history.height = packing().height;
@@ -221,6 +224,7 @@ bool Procedure::after_block() {
   if (now.stress > peak_.stress) peak_ = now;
   end_approach(now.strain);
   keep_pictures();
+  if (events_) keep_events();
   return check_stop();
 }
 
@@ -325,6 +329,33 @@ void Procedure::keep_pictures() {
   if (frames_.due(row)) frames_.keep(frame());
 }
 
+double Procedure::thickness_of_events() const {
+  const double stated = recipe_.test.event_thickness;
+  return stated > 0.0 ? stated : analysis::grain_diameter(*specimen_);
+}
+
+/// What broke before the test loads is no event of it.
+void Procedure::begin_events() {
+  const events::Window window = events::window_of(*specimen_);
+  events_.emplace(window, thickness_of_events(), events::forces_of(packing(), group_->snapshot(lane_)));
+  // Of a confinement, for example.
+  cracks_seen_ = group_->cracks(lane_).size();
+}
+
+void Procedure::keep_events() {
+  const std::vector<engine::Breakage>& all = group_->cracks(lane_);
+  std::vector<CrackEvent> cracks;
+  for (; cracks_seen_ < all.size(); ++cracks_seen_) cracks.push_back(crack_of(all[cracks_seen_]));
+  events_->after_block(row_.time, cracks, events::forces_of(packing(), group_->snapshot(lane_)));
+}
+
+/// The engine knows how far the bodies had come when it broke; strain is a matter of the test.
+CrackEvent Procedure::crack_of(const engine::Breakage& broken) const {
+  CrackEvent crack = broken.crack;
+  crack.strain = broken.travel / boundary_->axial.length - zero_axial_;
+  return crack;
+}
+
 void Procedure::interrupt() {
   // Called for all tests of a group, also those that are done.
   if (phase_ != Phase::over)
@@ -418,6 +449,7 @@ void Procedure::read_numbers() {
   // What the confinement broke is damage that the strength contains.
   if (const KeptStress& kept = test().kept_stress; kept.value != nullptr && recipe_.test.*kept.value > 0.0)
     result_.numbers.push_back(analysis::broken_at_start(*specimen_, result_.cracks, loads_from_));
+  if (events_) analysis::add(result_.numbers, events::event_numbers(result_.events, thickness_of_events()));
   judge_approach();
   accept_strength();
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
@@ -433,16 +465,13 @@ void Procedure::read_numbers() {
 }
 
 TestResult Procedure::take_result() {
-  for (const engine::Breakage& broken : group_->cracks(lane_)) {
-    result_.cracks.push_back(broken.crack);
-    // The engine knows how far the bodies had come when it broke; strain is a matter of the test.
-    result_.cracks.back().strain = broken.travel / boundary_->axial.length - zero_axial_;
-  }
+  for (const engine::Breakage& broken : group_->cracks(lane_)) result_.cracks.push_back(crack_of(broken));
   // Cracks of one contact in one step stay in the order of its parts.
   std::stable_sort(result_.cracks.begin(), result_.cracks.end(),
                    [](const CrackEvent& p, const CrackEvent& q) {
                      return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
                    });
+  if (events_) result_.events = events_->take();
   result_.snapshots = snapshots_.take(snapshot());
   result_.frames = frames_.take(frame());
   result_.n_steps = static_cast<std::int64_t>(row_.step);

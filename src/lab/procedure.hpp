@@ -18,12 +18,14 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/energy.hpp"
 #include "analysis/strength_rule.hpp"
 #include "engine/lane_group.hpp"
+#include "events/recorder.hpp"
 #include "lab/boundaries.hpp"
 #include "lab/moments.hpp"
 #include "records/recipe.hpp"
@@ -125,6 +127,10 @@ class Procedure {
   Snapshot snapshot() const;
   Frame frame() const;
   void keep_pictures();
+  double thickness_of_events() const;  ///< [m]
+  void begin_events();
+  void keep_events();
+  CrackEvent crack_of(const engine::Breakage& broken) const;
   /// All numbers of the test. What is beyond a limit of quality ends it with another outcome, or explains why
   /// it found no peak.
   void read_numbers();
@@ -150,6 +156,8 @@ class Procedure {
   std::int64_t n_steady_ = 0;     // of these, in a row close to it
   Moments<Snapshot> snapshots_;
   Moments<Frame> frames_;
+  std::optional<events::Recorder> events_;
+  std::size_t cracks_seen_ = 0;  // by events_
   Reading peak_;
 };
 

@@ -174,6 +174,8 @@ struct TestRecipe {
   std::int64_t history_interval = 100;  ///< steps between history rows; also the interval of all checks
   std::int64_t n_snapshots = 5;         ///< stored states of grains and contacts through the test
   std::int64_t n_frames = 40;           ///< stored displacement fields through the test
+  bool events = false;                  ///< also acoustic events
+  double event_thickness = 0.0;         ///< [m] that their magnitudes are of; 0: the mean grain diameter
   double pre_strain = 0.0;        ///< [-] axial strain of the affine pre-strain; 0: no affine pre-strain
   double grip_thickness = 0.0;    ///< [m] direct tension; 0: four times the largest radius
   double disc_diameter = 0.0;     ///< [m] of the disc, or half disc, cut from the specimen; 0: the most

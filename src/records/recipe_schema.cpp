@@ -363,6 +363,13 @@ void add_test(Fields& fields) {
   t.integer("n_frames", {0, 1000},
             "stored displacement fields for the specimen viewer (up to twice as many); 0: only the last",
             &T::n_frames);
+  t.boolean("events", "acoustic events: clusters of cracks with moment tensor and magnitude", &T::events)
+      .omit_default = true;
+  t.quantity(
+       "event_thickness", {0, longest, Dimension::length}, "",
+       "events: thickness of the specimen that moments and magnitudes are of; 0: the mean grain diameter",
+       &T::event_thickness)
+      .omit_default = true;
   t.number("pre_strain", {0, 0.05}, "", "axial strain of the affine pre-strain; 0: none", &T::pre_strain);
   t.quantity("grip_thickness", {0, longest, Dimension::length}, "",
              "direct_tension: rock held at each end; 0: four times the largest radius", &T::grip_thickness)

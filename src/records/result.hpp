@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "records/acoustic_event.hpp"
 #include "records/recipe.hpp"
 #include "records/specimen.hpp"
 
@@ -154,10 +155,11 @@ struct TestResult {
   Outcome outcome;
   std::vector<Number> numbers;
   History history;
-  std::vector<CrackEvent> cracks;   ///< ordered by (step, a, b)
-  std::vector<Snapshot> snapshots;  ///< the last one is the final state
-  std::vector<Frame> frames;        ///< more of them, displacements only
-  double dt = 0.0;                  ///< [s] at the start
+  std::vector<CrackEvent> cracks;     ///< ordered by (step, a, b)
+  std::vector<AcousticEvent> events;  ///< ordered by time; empty where the recipe asks for none
+  std::vector<Snapshot> snapshots;    ///< the last one is the final state
+  std::vector<Frame> frames;          ///< more of them, displacements only
+  double dt = 0.0;                    ///< [s] at the start
   std::int64_t n_steps = 0;
   std::int64_t n_contacts = 0;  ///< bonded, joint or touching at the start
   std::int64_t n_grains = 0;    ///< of the specimen; not stored

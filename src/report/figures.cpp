@@ -45,6 +45,16 @@ Figure anisotropy(const FigureData& data) {
                            "run a recipe with [[bedding]] or a foliated matrix, and test.angles"});
 }
 
+/// Throws InputError where the run has no events.
+Figure with_events(Figure figure) {
+  if (!figure.panels.empty()) return figure;
+  throw InputError(Problem{"result", "events.csv", "", "acoustic events",
+                           "run the recipe again with events = true in [test]"});
+}
+
+Figure events_of_run(const FigureData& data) { return with_events(events_figure(data.run, data.counts)); }
+Figure event_places(const FigureData& data) { return with_events(event_places_figure(data.run)); }
+
 template <Figure (*make)(const RunRecord&)>
 Figure of_run(const FigureData& data) {
   return make(data.run);
@@ -69,6 +79,10 @@ const std::vector<FigureKind>& figure_kinds() {
       {"modes", "", "share of each kind of crack in the specimens of a run", 90.0, false,
        of_run<modes_figure>},
       {"rose", "", "directions of the cracks of a run", 190.0, false, of_run<rose_figure>},
+      {"events", "", "acoustic events of a run: how many are how large, with the b-value", 140.0, false,
+       events_of_run},
+      {"event_places", "", "where the acoustic events of a run were, by source and magnitude", 190.0, false,
+       event_places},
       // No `make`: pictures of discs are pixels and go their own way.
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false, nullptr,
        draw_cracks},

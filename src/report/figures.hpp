@@ -9,6 +9,7 @@
 #include "records/rock.hpp"
 #include "records/specimen_record.hpp"
 #include "records/variation.hpp"
+#include "report/event_figures.hpp"
 #include "report/figure.hpp"
 #include "report/gnuplot.hpp"
 
@@ -18,6 +19,7 @@ namespace phy::report {
 struct FigureData {
   RunRecord run;
   std::vector<Target> laboratory;  ///< beside E, UCS, nu of a run
+  LaboratoryCounts counts;         ///< beside acoustic events
   Variation variation;
   std::optional<Calibration> calibration;
 };

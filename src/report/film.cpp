@@ -50,7 +50,11 @@ Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options)
   const double scale = 0.92 * cell_ / scene.width;
   for (std::size_t i = 0; i < places_.size(); ++i)
     places_[i].view = {0.5 * (options_.width - cell_ * n) + cell_ * (static_cast<double>(i) + 0.04),
-                       label_height, scale, options_.magnify, true};
+                       label_height,
+                       scale,
+                       options_.magnify,
+                       true,
+                       true};
   curve_top_ = label_height + scale * scene.height + 26.0;
   // Colours are kept at half the resolution (yuv420p), so that pixels come in pairs.
   height_ = 2 * static_cast<int>(

@@ -14,6 +14,7 @@
 #include "io/toml_in.hpp"
 #include "records/test_description.hpp"
 #include "report/calibration_figures.hpp"
+#include "report/event_figures.hpp"
 #include "report/figure_json.hpp"
 #include "report/methods.hpp"
 #include "report/palette.hpp"
@@ -102,6 +103,8 @@ Json figures_json(const RunRecord& run, const PageExtras& extras) {
   j["anisotropy"] = figure_json(anisotropy_figure(run, extras.laboratory));
   j["modes"] = figure_json(modes_figure(run));
   j["rose"] = figure_json(rose_figure(run));
+  j["events"] = figure_json(events_figure(run, {}));
+  j["event_places"] = figure_json(event_places_figure(run));
   return j;
 }
 

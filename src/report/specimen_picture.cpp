@@ -72,7 +72,35 @@ void draw_disc(Canvas& canvas, Vec2 at, double r, Color color) {
   canvas.disc(at.x, at.y, 0.88 * r, color);
 }
 
+void draw_circle(Canvas& canvas, Vec2 middle, double r, Color color) {
+  constexpr int chords = 24;
+  const auto at = [&](int i) {
+    const double a = 2.0 * pi * i / chords;
+    return middle + r * Vec2{std::cos(a), std::sin(a)};
+  };
+  for (int i = 0; i < chords; ++i) canvas.line(at(i), at(i + 1), thinnest, color);
+}
+
+/// Where they were, unmagnified: a place of a moment has no displacement of a grain.
+void draw_events(Canvas& canvas, const SpecimenRecord& test, const SpecimenView& view, double strain) {
+  const Scene& scene = test.scene;
+  // Circles are of one size from the first frame to the last, so the largest of the whole test counts.
+  double largest = -HUGE_VAL;
+  for (const AcousticEvent& e : test.result.events) largest = std::max(largest, e.magnitude);
+  for (const AcousticEvent& e : test.result.events) {
+    if (!std::isfinite(e.magnitude) || test.recipe.test.kind->curve.sign * e.strain > strain) continue;
+    draw_circle(
+        canvas,
+        {view.left + view.scale * e.position.x, view.top + view.scale * (scene.height - e.position.y)},
+        view.scale * event_radius(e, largest, scene.width), line_colors[static_cast<std::size_t>(e.type)]);
+  }
+}
+
 }  // namespace
+
+double event_radius(const AcousticEvent& event, double largest, double width) {
+  return 0.05 * width * std::pow(10.0, 0.5 * (event.magnitude - largest));
+}
 
 double last_strain(const SpecimenRecord& test) {
   const auto& rows = test.result.history.rows;
@@ -103,6 +131,7 @@ void draw_specimen(Canvas& canvas, const SpecimenRecord& test, const SpecimenVie
     canvas.line(middle + along, middle - along, std::max(thinnest, 0.25 * view.scale * c.size),
                 crack_colors[crack_kind(c)]);
   }
+  if (view.events) draw_events(canvas, test, view, strain);
 }
 
 }  // namespace phy::report

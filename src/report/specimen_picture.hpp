@@ -10,11 +10,16 @@ struct SpecimenView {
   double scale = 0.0;            ///< [pixels/m]
   double magnify = 1.0;          ///< of displacements
   bool cracks = true;
+  bool events = false;  ///< circles of the acoustic events, where the test has them
 };
 
 /// Draws the discs (moved as at axial strain `strain`, straight between frames) and the cracks up to it.
 /// Needs a scene with at least one frame.
 void draw_specimen(Canvas& canvas, const SpecimenRecord& test, const SpecimenView& view, double strain);
+
+/// Of the circle of an event in a specimen of that width [m]: its area grows with the moment to the power
+/// 2/3, and that of the largest magnitude is a tenth of the specimen wide.
+double event_radius(const AcousticEvent& event, double largest, double width);
 
 /// Strain of the last row, as draw_specimen takes it: positive, in the direction of the test
 /// (records/test_description.hpp).

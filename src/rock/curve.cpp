@@ -50,7 +50,12 @@ const std::vector<Role>& roles() {
        &HistoryRow::axial_stress,
        {"load", "force"},
        "axial_stress [MPa] is the load in N over the cross-section of the specimen in mm2"},
-      {{"n_cracks", "cracks"}, Dimension::none, "[1]", &HistoryRow::n_cracks, {}, ""}};
+      {{"n_cracks", "cracks", "counts", "cumulative_counts", "hits", "events"},
+       Dimension::none,
+       "[1]",
+       &HistoryRow::n_cracks,
+       {},
+       ""}};
   return list;
 }
 
@@ -154,7 +159,7 @@ class CurveReader {
         for (std::size_t i = 0; cell == heads_.size() && i < heads_.size(); ++i)
           if (without_joints(heads_[i].name) == without_joints(name)) cell = i;
       if (cell == heads_.size()) {
-        // Only programs count cracks: the curve of a laboratory has none and is read all the same.
+        // Few laboratories count: a curve without counts is read all the same.
         if (role.dimension != Dimension::none) tell_missing(role);
       } else if (const auto factor = factor_of(heads_[cell].unit, role.dimension)) {
         columns_.push_back({&role, cell, *factor});

@@ -50,9 +50,10 @@ class Documents : public ProgramTest {
           "theta [deg],E [GPa],nu,UCS [MPa],n\n0,17.5,0.10,105,3\n30,15.6,0.36,60,3\n60,21.0,0.5,45,3\n"
           "90,48,0.25,128,3\n");
     write("rock.toml", "data = \"table.csv\"\nrecipe = \"base.toml\"\n");
-    for (const char* line :
-         {"run small.toml --out result", "run small.toml --out results/paper",
-          "study study.toml --out results/study", "study direct.toml --out results/direct"})
+    write("events.toml", read(at("small.toml")) + "events = true\n");
+    for (const char* line : {"run small.toml --out result", "run events.toml --out results/events",
+                             "run small.toml --out results/paper", "study study.toml --out results/study",
+                             "study direct.toml --out results/direct"})
       ASSERT_LE(in_folder(line), 1) << line << "\n" << output;
   }
   int in_folder(const std::string& arguments) {
@@ -80,6 +81,7 @@ std::string small(const std::string& shown) {
       {"export pfc2d RECIPE", "export pfc2d base.toml --out again/pfc2d-recipe"},
       {"calibrate rock.toml", "calibrate rock.toml --elastic --out again/three"},
       {"elastic examples/paper/press.toml", "elastic base.toml"},
+      {"figure RESULT --kind events", "figure results/events --kind events --out again/events.svg"},
       {"figure --kind stiffness", "figure results/study --kind stiffness --out again/stiffness.svg"},
       {"figure results/bend --kind cracks", "figure result --kind cracks --out again/bend.svg"},
       {"figure results/brazilian --kind cracks", "figure result --kind cracks --out again/disc.svg"},

@@ -147,6 +147,8 @@ export interface Figures {
   anisotropy: Figure;
   modes: Figure;
   rose: Figure;
+  events: Figure; // acoustic; no panels where the recipe does not ask for them
+  event_places: Figure;
 }
 
 interface RawReport {

@@ -414,6 +414,19 @@ function roses() {
   );
 }
 
+function events() {
+  const { events: counted, event_places: places } = report.figures;
+  if (counted.panels.length === 0) return;
+  section(
+    "events",
+    "Acoustic events",
+    h("p", { class: "muted" }, "Cracks near in time and space are one event. Its moment is the change of the contact forces around it. A circle grows with the magnitude of its event."),
+    grid(counted),
+    legend(places.panels),
+    grid(places, "grid roses"),
+  );
+}
+
 // --- tables --------------------------------------------------------------------------------------------------
 
 /** What the table on a terminal has, too: "<" and "*" as there. */
@@ -735,6 +748,7 @@ function start() {
     curves();
     if (!report.calibration) anisotropy(); // of a calibration: above, over all packings
     roses();
+    events();
     tables();
   } else values();
   texts();
