@@ -147,7 +147,7 @@ h("%s");
 
 class Cards(unittest.TestCase):
     def test_formats_names_every_key_of_the_cards_and_no_other(self):
-        page = (check_docs.ROOT / "docs/formats.md").read_text(encoding="utf-8").split("## Card, version 1")[1].split("\n## ")[0]
+        page = (check_docs.ROOT / "data/rocks/README.md").read_text(encoding="utf-8").split("## Card, version 1")[1].split("\n## ")[0]
         named = {(row[0], key) for row in map(check_docs.cells, page.splitlines()) if len(row) == 3 for key in re.findall(r"`([^`]+)`", row[1])}
         found = set()
 

@@ -1,6 +1,16 @@
 // The specimen in the press as others can see it while it is tested: a file in the folder of the results,
 // rewritten up to four times a second, with its discs, how they have moved, what has broken, and the curve so
-// far (docs/formats.md, "Press"). `phyllite run` and calibrations leave the same one.
+// far. `phyllite run` and calibrations leave the same one. Version 1; arrays are base64 of little-endian
+// numbers:
+//   specimen, test, over       its name, the kind of test, whether this is its end
+//   strain, stress [Pa]        the curve so far, at most 400 points
+//   width, height, bedding     the specimen [m]; theta, spacing, offset of regular planes
+//   disc_quantum [m], discs    int16: x, y from the centre, and r of each disc
+//   jointed                    uint8: 1 where the disc carries a joint
+//   displacement_quantum [m]   of moves, int16: u_x, u_y of each disc
+//   crack_kinds                names of the kinds, from 0
+//   cracks                     pairs uint32: both discs; shapes int16: normal times 32767, length in disc
+//                              quanta; kinds uint8
 #pragma once
 #include <chrono>
 #include <ctime>

@@ -8,7 +8,7 @@
 namespace phy::lab {
 
 void check_scene_room(const Specimen& specimen, const Recipe& recipe) {
-  // Bytes (docs/formats.md): a disc has three numbers, a link two and its kind, a frame two numbers of three
+  // Bytes (io/scene.hpp): a disc has three numbers, a link two and its kind, a frame two numbers of three
   // bytes per disc, a snapshot a byte per link. Of both up to twice as many are kept, and the last.
   constexpr double disc = 3 * 4.0, link = 2 * 4.0 + 1.0, frame = 2 * 3.0, force = 1.0, new_links = 1.5;
   const auto kept = [](std::int64_t wanted) { return 2.0 * static_cast<double>(wanted) + 1.0; };

@@ -1,5 +1,5 @@
 // What a picture of a test needs: discs, how they moved, and the forces between them at a few moments. Kept
-// beside the numbers of every result (scene.bin), with the rounding that docs/formats.md states.
+// beside the numbers of every result (scene.bin), with the rounding that io/scene.hpp states.
 #pragma once
 #include <cstdint>
 #include <vector>
