@@ -172,8 +172,8 @@ class Paper {
   }
 
   /// With the first of this rank that waits, as run_lane_batch does.
-  void share(const Clock& giver) {
-    auto& mine = const_cast<Clock&>(giver).mine;
+  void share(Clock& giver) {
+    auto& mine = giver.mine;
     const auto taker = std::find_if(clocks_.begin(), clocks_.end(),
                                     [&](const Clock& c) { return c.waits && c.rank == giver.rank; });
     if (taker == clocks_.end() || (mine.size() == 1 && mine.back().tests.size() < 2)) return;
