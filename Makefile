@@ -3,6 +3,7 @@
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
 # make windows   the program for Windows, as one .exe and a .zip    make windows-check  try it under wine
+# make browser-check  the program for browsers gives the recorded numbers, in node
 # make docs      the documents as a searchable site          make pictures those of gallery and README
 # make web       bundle the pages anew
 # make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (100 minutes of CPU, resumed)
@@ -32,6 +33,7 @@ deps-clang: PACKAGES += clang libclang-rt-14-dev
 deps-coverage: PACKAGES += gcovr
 deps-windows: PACKAGES += g++-mingw-w64-x86-64-posix dpkg-dev tcl
 windows-check: PACKAGES += wine64 wine
+deps-inside: PACKAGES += clang-14 emscripten dpkg-dev tcl
 deps-package: PACKAGES += dpkg-dev file lintian mmdebstrap
 python: PACKAGES += $(PYTHON)
 
@@ -41,7 +43,7 @@ deps:
 	@missing=$$(for p in $(PACKAGES); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok installed' || echo $$p; done); \
 	echo "deps:" $${missing:-nothing is missing}; test -z "$$missing" || { $(SUDO) apt-get update -qq && \
 	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; }
-deps-all deps-docs deps-soak deps-clang deps-coverage deps-package deps-windows: deps
+deps-all deps-docs deps-soak deps-clang deps-coverage deps-package deps-windows deps-inside: deps
 
 build:
 	@$(call made,release)
@@ -102,6 +104,14 @@ windows-files: deps-windows
 
 windows-check: windows program
 	@python3 tools/windows_check.py $(CHECKS)
+
+# For a browser, by emscripten.
+browser-program: deps-inside
+	@sh tools/sources.sh build/sources
+	@$(call made,browser) --target phyllite
+
+browser-check: browser-program
+	@node packaging/browser/command.cjs build/browser verify --hash
 
 test: build
 	@python3 tools/check_floors.py
