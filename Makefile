@@ -3,7 +3,7 @@
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
 # make windows   the program for Windows, as one .exe and a .zip    make windows-check  try it under wine
-# make browser-check  the program for browsers gives the recorded numbers, in node
+# make browser-lab  the page with the program inside, one file without a server   make browser-check  its numbers, in node
 # make docs      the documents as a searchable site          make pictures those of gallery and README
 # make web       bundle the pages anew
 # make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (100 minutes of CPU, resumed)
@@ -105,13 +105,16 @@ windows-files: deps-windows
 windows-check: windows program
 	@python3 tools/windows_check.py $(CHECKS)
 
-# For a browser, by emscripten.
+# For a browser, by emscripten (docs/decisions/0025-in-the-browser.md). Chromium tries the page in `make browser`.
 browser-program: deps-inside
 	@sh tools/sources.sh build/sources
 	@$(call made,browser) --target phyllite
 
 browser-check: browser-program
 	@node packaging/browser/command.cjs build/browser verify --hash
+
+browser-lab: browser-program
+	@python3 tools/browser_lab.py build/browser build/browser-lab
 
 test: build
 	@python3 tools/check_floors.py
