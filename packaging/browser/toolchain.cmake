@@ -1,5 +1,6 @@
 # A browser, by Debian's emscripten (`make browser-lab`). Its C library and headers, and the compiler that it calls itself:
-# called directly, so that precompiled headers and ccache work as elsewhere. em++ links.
+# called directly, so that precompiled headers and ccache work as elsewhere. em++ links, and
+# its own scripts want modules of Debian's node.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(PHY_BROWSER TRUE)
@@ -19,4 +20,4 @@ set(phy_flags "--sysroot=${PHY_SYSROOT} -isystem ${PHY_SYSROOT}/include/compat -
 -fno-threadsafe-statics -mllvm -combiner-global-alias-analysis=false -mllvm -enable-emscripten-sjlj -mllvm -disable-lsr")
 set(CMAKE_C_FLAGS_INIT "${phy_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${phy_flags} -include ${CMAKE_CURRENT_LIST_DIR}/library.hpp")
-set(CMAKE_CXX_LINK_EXECUTABLE "em++ -fwasm-exceptions <LINK_FLAGS> <OBJECTS> -o <TARGET> <LINK_LIBRARIES>")
+set(CMAKE_CXX_LINK_EXECUTABLE "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs em++ -fwasm-exceptions <LINK_FLAGS> <OBJECTS> -o <TARGET> <LINK_LIBRARIES>")
