@@ -37,6 +37,6 @@ int replace(const std::string& from, const std::string& to) {
   return 0;
 }
 
-int exchange(const std::string&, const std::string&) { return ENOSYS; }
+int exchange(const std::string&, const std::string& other) { return about(other) ? ENOSYS : ENOENT; }
 
 }  // namespace phy::system
