@@ -1,9 +1,10 @@
 # make deps      install what is missing (Debian packages)   make demo     calibrate Boryeong shale on large grains
 # make deps-all  also what no test is left out without       make test     build and run all tests
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
-# make package   a Debian package                            make package-check  install, try and remove it on a bare Debian 12
+# make package   a Debian package, and the source tarball    make package-check  install, try and remove it on a bare Debian 12
 # make windows   the program for Windows, as one .exe and a .zip    make windows-check  try it under wine
 # make browser-lab  the page with the program inside, one file without a server   make browser-check  its numbers, in node
+# make aarch64   the program for 64-bit ARM under Linux             make aarch64-check    its recorded numbers under qemu
 # make docs      the documents as a searchable site          make pictures those of gallery and README
 # make web       bundle the pages anew
 # make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (100 minutes of CPU, resumed)
@@ -34,6 +35,8 @@ deps-coverage: PACKAGES += gcovr
 deps-windows: PACKAGES += g++-mingw-w64-x86-64-posix dpkg-dev tcl
 windows-check: PACKAGES += wine64 wine
 deps-inside: PACKAGES += clang-14 emscripten dpkg-dev tcl
+deps-aarch64: PACKAGES += g++-aarch64-linux-gnu dpkg-dev tcl
+aarch64-check: PACKAGES += qemu-user
 deps-package: PACKAGES += dpkg-dev file lintian mmdebstrap
 python: PACKAGES += $(PYTHON)
 
@@ -43,7 +46,7 @@ deps:
 	@missing=$$(for p in $(PACKAGES); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok installed' || echo $$p; done); \
 	echo "deps:" $${missing:-nothing is missing}; test -z "$$missing" || { $(SUDO) apt-get update -qq && \
 	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; }
-deps-all deps-docs deps-soak deps-clang deps-coverage deps-package deps-windows deps-inside: deps
+deps-all deps-docs deps-soak deps-clang deps-coverage deps-package deps-windows deps-inside deps-aarch64: deps
 
 build:
 	@$(call made,release)
@@ -83,7 +86,9 @@ UNNAMED := bogus-mail-host,bogus-mail-host-in-debian-changelog,root-in-contact,i
 package: deps-package
 	@$(call made,release) --target manual
 	@cd $(BUILD) && cpack >cpack.txt || { cat cpack.txt; exit 1; }
-	@ls -l $(BUILD)/phyllite_*.deb
+	@version=$$($(BUILD)/phyllite --version | sed 's/ /-/; s/\.changed//'); \
+	  git archive --prefix=$$version/ -o $(BUILD)/$$version.tar.gz HEAD
+	@ls -l $(BUILD)/phyllite_*.deb $(BUILD)/phyllite-*.tar.gz
 	@lintian --fail-on error,warning --suppress-tags $(UNNAMED) $(BUILD)/phyllite_*.deb
 
 # Needs root, and a Debian mirror.
@@ -105,7 +110,7 @@ windows-files: deps-windows
 windows-check: windows program
 	@python3 tools/windows_check.py $(CHECKS)
 
-# For a browser, by emscripten (docs/decisions/0025-in-the-browser.md). Chromium tries the page in `make browser`.
+# For a browser, by emscripten (docs/decisions/0026-in-the-browser.md). Chromium tries the page in `make browser`.
 browser-program: deps-inside
 	@sh tools/sources.sh build/sources
 	@$(call made,browser) --target phyllite
@@ -115,6 +120,15 @@ browser-check: browser-program
 
 browser-lab: browser-program
 	@python3 tools/browser_lab.py build/browser build/browser-lab
+
+# Likewise for 64-bit ARM under Linux.
+aarch64: deps-aarch64
+	@sh tools/sources.sh build/sources
+	@$(call made,aarch64) --target phyllite
+	@ls -l build/aarch64/phyllite
+
+aarch64-check: aarch64
+	qemu-aarch64 build/aarch64/phyllite verify --hash
 
 test: build
 	@python3 tools/check_floors.py

@@ -13,7 +13,7 @@ root = pathlib.Path(__file__).resolve().parent
 
 
 def version():
-    """As the changelog has it: "0.2.0-dev" is 0.2.0.dev0 to Python."""
+    """As the changelog has it: "X-dev" is X.dev0 to Python."""
     newest = re.search(r"^## (\d+\.\d+\.\d+)(-dev)?", (root / "CHANGELOG.md").read_text(), re.M)
     return newest[1] + (".dev0" if newest[2] else "")
 

@@ -10,6 +10,8 @@ if(PHY_PYTHON AND Python3_Development.Module_FOUND AND Python3_NumPy_FOUND AND P
   Python3_add_library(phyllite_python MODULE WITH_SOABI ${PHY_MODULE})
   target_link_libraries(phyllite_python PRIVATE phyllite_core)
   target_compile_options(phyllite_python PRIVATE ${PHY_QUICK})
+  # Its elementary functions are its own (src/base/libm.cpp), though Python has loaded the C library's before.
+  target_link_options(phyllite_python PRIVATE -Wl,-Bsymbolic)
   set_target_properties(phyllite_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/python/phyllite)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/python/phyllite)  # else the first file would take its name
   foreach(file IN LISTS PHY_PYTHON_FILES)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Holds the documents, comments of examples, and texts of the program to the rules of CONTRIBUTING, "Words": short sentences, few numbers,
-small cells, sound tables, live links, files that there are.
+small cells, sound tables, live links, files that there are, few lines.
 
 Usage: check_docs.py [--list] [PAGE...]. Without pages: every page and source of the repository. `--list` prints a line per page: sentences,
 median length, share above 30 words. Exit code 1 if a rule is broken. `make lint` runs it.
@@ -16,9 +16,10 @@ WORDS, NUMBERS, CELL = 30, 3, 20  # at most, in a sentence, in a sentence, in a 
 STATUS_CELL = 8
 MEDIAN = 15  # words, of the pages that a user reads from the beginning to the end
 READ_THROUGH = ("README.md", "docs/calibration.md", "docs/tutorials/")
-# Written by the program or from stored results: their words are the program's, so only tables and links are looked at.
-GENERATED = tuple(f"docs/{name}.md" for name in (
-    "reference tables calibration-tables result-tables rocks boryeong reliability-tables reach-tables status verification").split())
+LINES = 3500  # of the pages in docs that people write
+WRITTEN = re.compile(r"^Written by `", re.M)  # marks a page that a command writes: its lines do not count
+# Sentences and cells of these are texts of the program, which are read where they stand.
+WORDED = re.compile(r"^Written by `(?:phyllite|make rocks)", re.M)
 # Not held to the rules of sentences: decisions, with the measurements of their day; the map of the code.
 RECORDS = ("CHANGELOG.md",)
 EVASIONS = re.compile(r"\b(?:that|those) of\b|\bthe (?:latter|former) of\b", re.I)
@@ -32,6 +33,7 @@ ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|etc|cf|vs|al|Fig|Figs|Eq|Eqs|Sec|Vol|N
 
 class Page:
     """A Markdown file in pieces: paragraphs (a list item is one), tables, headings and links, each with its line."""
+    written = worded = False
 
     def __init__(self, path):
         self.path = path
@@ -39,7 +41,8 @@ class Page:
         self.paragraphs, self.tables, self.headings, self.links, self.anchors = [], [], [], [], set()
         self.places = []  # of the repository, named in code
         paragraph, table, fence, sources = [], [], None, False
-        lines = path.read_text(encoding="utf-8").split("\n")
+        text = path.read_text(encoding="utf-8")
+        lines, self.written, self.worded = text.split("\n"), bool(WRITTEN.search(text)), bool(WORDED.search(text))
         for number, line in enumerate(lines + [""], 1):
             text = line.strip()
             if fence:
@@ -183,7 +186,7 @@ def problems_of_tables(page):
         for line, row in table:
             if len(cells(row)) != columns:
                 yield line, f"{len(cells(row))} cells in a table of {columns} columns"
-            if page.name.startswith(RECORDS) or page.name in GENERATED and page.name != "docs/status.md":
+            if page.name.startswith(RECORDS) or page.worded:
                 continue
             for cell in cells(row):
                 if words(plain(cell)) > limit:
@@ -223,7 +226,7 @@ def main(arguments):
     for page in pages.values():
         found = [*problems_of_tables(page), *problems_of_links(page, pages), *problems_of_places(page)]
         lengths = [words(s) for _, p in page.paragraphs for s in sentences(p)] or [0]
-        if page.name not in GENERATED:
+        if not page.worded:
             found += problems_of_text(page)
             if page.name.startswith(READ_THROUGH) and statistics.median(lengths) > MEDIAN:
                 found.append((1, f"median of {statistics.median(lengths):g} words a sentence, at most {MEDIAN}"))
@@ -234,7 +237,11 @@ def main(arguments):
             for line, text in sorted(found):
                 print(f"{page.name}:{line}: {text}")
         n_problems += len(found)
-    print(f"documents: {len(pages)} pages, {n_problems} problem(s)")
+    n_lines = sum(len(p.read_text(encoding="utf-8").splitlines()) for p, page in pages.items() if page.name.startswith("docs/") and not page.written)
+    if n_lines > LINES:
+        print(f"docs: {n_lines} lines without the pages that a command writes, at most {LINES}")
+        n_problems += 1
+    print(f"documents: {len(pages)} pages, {n_lines} lines in docs written by hand, {n_problems} problem(s)")
     return n_problems > 0
 
 

@@ -581,8 +581,8 @@ def page(results, docs):
 
 HEAD = """# Evidence
 
-Numbers that nobody here made, beside ours: exact solutions of whole bodies, and published results. `make evidence` runs the studies of
-`examples/evidence/` (an hour of CPU, resumed where they are) and writes this page from their stores. A single one is
+Written by `make evidence` from the stores of the studies in `examples/evidence` (an hour of CPU, resumed where they are). Numbers that nobody
+here made stand beside ours: exact solutions of whole bodies, and published results. A single study is
 `phyllite study examples/evidence/NAME.toml --out results/evidence/NAME`. "verify V25" is `phyllite verify V25`, seconds, and a test.
 +- is the 95 % interval of the mean over packings (Student's t).
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/paper.md from the stores of the paper's studies (`make paper`, which also draws the figures).
+"""Writes docs/paper.md from the stores of the paper's studies (`make paper`; `make pictures` draws the figures).
 
     python3 tools/paper.py RESULTS docs
 
@@ -213,12 +213,12 @@ def page(results, docs):
         study.interval("R2_eq1", "all angles, reference intact", 1, 3),
         study.interval("R2_eq1", "all angles, reference E(90)", 1, 4))]
     out += ["\n## Eq. 2: K_n(k_n) and K_s(k_s)\n", EQ2_TEXT, eq2_table(study, crossing, direct)]
-    out += ["\n## Fig. 4: which parameter moves K_n and K_s\n", "![Macro stiffnesses over six parameters](pictures/stiffness.png)\n\n", fig4_table(study, small),
+    out += ["\n## Fig. 4: which parameter moves K_n and K_s\n", "[Macro stiffnesses over six parameters](gallery.md#studies), on a quarter of the specimen.\n\n", fig4_table(study, small),
             fig4_by_rule(small, small_crossing), broken_text(results, study)]
-    out += ["\n## Fig. 5: curve types and their switch at K_n = 2 K_s\n", "![E over the inclination for five k_n and five k_s](pictures/modulus.png)\n\n", FIG5_TEXT,
+    out += ["\n## Fig. 5: curve types and their switch at K_n = 2 K_s\n", "[E over the inclination for five k_n and five k_s](gallery.md#studies), on a quarter of the specimen.\n\n", FIG5_TEXT,
             table(["setting", "K_n [GPa/m]", "K_s [GPa/m]", "K_n/K_s", "Eq. 1 says", "tested", "same type"],
                   switch_rows(study) + switch_rows(crossing, "crossing")), fig5_verdict(study, crossing)]
-    out += ["\n## Fig. 6: UCS\n", "![UCS over the inclination for six parameters](pictures/strength.png)\n\n", FIG6_TEXT, fig6_table(study)]
+    out += ["\n## Fig. 6: UCS\n", "[UCS over the inclination for six parameters](gallery.md#studies), on a quarter of the specimen.\n\n", FIG6_TEXT, fig6_table(study)]
     out += ["\n## What the paper leaves open\n", OPEN_TEXT, open_table(choices, area), RANGE_TEXT, range_table(direct)]
     out += ["\n## Point by point\n", verdict_table(study, crossing, small)]
     (docs / "paper.md").write_text("".join(out))
@@ -226,9 +226,9 @@ def page(results, docs):
 
 HEAD = """# The paper, again
 
+Written by `make paper` from the stores of the studies in `examples/paper`; every number below is read from them.
 Sections 3 and 4 of "Parametric study of smooth joint parameters on the mechanical behavior of transversely isotropic rocks
-and research on calibration method", run with Phyllite. `make paper` runs the studies of `examples/paper/` and writes this
-page from their stores; every number below is read from them. The text of the paper that we have ends with the caption of
+and research on calibration method", run with Phyllite. The text of the paper that we have ends with the caption of
 Fig. 6. Its Table 3, Table 4 and the curves of its figures are not in it, so we compare with its words.
 
 Specimen: 38 x 76 mm, 7,481 discs, Tables 1 and 2; `examples/paper/press.toml` states what the paper leaves open. Press:

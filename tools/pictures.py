@@ -2,7 +2,7 @@
 """Draws the pictures of docs/gallery.md and of the README anew:   pictures.py PROGRAM   (make pictures)
 
 Tests run into results/pictures and stay there; the moving picture takes results/rocks (make rocks), and is left as it is
-without. Pictures of the paper's studies come from `make paper`. Needs ffmpeg, and chromium for the report.
+without. The paper's study runs on a quarter of its specimen, in two minutes of CPU. Needs ffmpeg, and chromium for the report.
 """
 import pathlib
 import shutil
@@ -15,7 +15,9 @@ RECIPES = {"press": "paper/press", "brazilian": "lab/brazilian", "semi-circular-
 FIGURES = {"cracks": ("press", "cracks", 1000), "anisotropy": ("press", "anisotropy", 1000), "stress_strain": ("press", "stress_strain", 800),
            "rose": ("press", "rose", 1000), "model": ("press", "model", 600), "brazilian": ("brazilian", "cracks", 800),
            "semi-circular-bend": ("semi-circular-bend", "cracks", 800), "direct-shear": ("direct-shear", "cracks", 800),
+           "stiffness": ("study", "fig4", 1000), "modulus": ("study", "fig5", 1000), "strength": ("study", "fig6", 1000),
            "eq2": ("direct", "fig4", 1000)}
+STUDIES = {"study": "study-small", "direct": "elastic-crossing"}
 STRIP = 428  # height of the moving picture [pixels]
 
 
@@ -41,7 +43,8 @@ def draw(program):
     for name, recipe in RECIPES.items():
         if not (WORK / name).exists():
             run(program, "run", f"examples/{recipe}.toml", "--out", WORK / name, quiet=False)
-    run(program, "study", "examples/paper/elastic-crossing.toml", "--out", WORK / "direct", quiet=False)  # resumed where it is
+    for name, study in STUDIES.items():
+        run(program, "study", f"examples/paper/{study}.toml", "--out", WORK / name, quiet=False)  # resumed where it is
     for name, (result, kind, width) in FIGURES.items():
         run(program, "figure", WORK / result, "--kind", kind, "--format", "png", "--out", WORK / f"{name}.png")
         shrink(WORK / f"{name}.png", OUT / f"{name}.png", width)
@@ -64,7 +67,7 @@ def film(program):
     if not found:
         return print("pictures: no results/rocks (make rocks), boryeong.gif stays")
     run(program, "film", found[0] / "specimens", "--width", 640, "--seconds", 5, "--out", WORK / "film.webm")
-    run(program, "figure", found[0], "--kind", "anisotropy", "--width", 90, "--format", "png", "--out", WORK / "chart.png")
+    run(program, "figure", found[0], "--kind", "anisotropy", "--size", 90, "--format", "png", "--out", WORK / "chart.png")
     beside = f"[1]scale=-1:{STRIP}:flags=area[c];[0]scale=-1:{STRIP}[f];[f][c]hstack,fps=12"
     encode("-i", WORK / "film.webm", "-i", WORK / "chart.png", "-filter_complex", few_colours(beside, 96), OUT / "boryeong.gif")
 

@@ -36,13 +36,11 @@ def main():
     file.write_text("".join(f"{name} {value}\n" for name, value in sorted(now.items())))
     groups = [f"{name} ({sum(c.startswith(name) for c in changed)})" for name in sorted({c.split("/")[0] + "/" for c in changed})]
     log = root / "CHANGELOG.md"
-    text = log.read_text()
-    end = text.find("\n## ", text.index("## Unreleased"))  # of the head section
-    head, rest = (text[:end], text[end:]) if end > 0 else (text, "")
-    head = head.rstrip("\n")
-    gap = "\n\n" if head.endswith("## Unreleased") else "\n"
-    log.write_text(f"{head}{gap}- Recorded numbers ({', '.join(groups)}): {reason}\n{rest}")
-    print("record: " + ", ".join(changed) + "; the reason stands at the end of CHANGELOG.md")
+    head, numbers, rest = log.read_text().partition("### Changes numbers\n")  # of the first section
+    entries, gap, others = rest.partition("\n###")
+    line = f"- Recorded numbers ({', '.join(groups)}): {reason}\n"
+    log.write_text(head + numbers + entries + line + gap + others)
+    print("record: " + ", ".join(changed) + "; the reason stands in CHANGELOG.md")
 
 
 main()

@@ -17,7 +17,6 @@ STUDIES = {
                 "resolution-fast resolution-bts resolution-bts-large speed time-step",
     "reliability": "compression tension brazilian confined packing resolution shear poisson",
 }
-PAPER_FIGURES = {"fig4": "stiffness", "fig5": "modulus", "fig6": "strength"}
 WHOLE_BODIES = ("V25", "V26", "V27", "V28", "V29", "V30")  # cases of `phyllite verify` in docs/evidence.md
 
 
@@ -25,13 +24,6 @@ def run(*command, may_find=False):
     code = subprocess.run([str(word) for word in command]).returncode
     if code > (1 if may_find else 0):
         sys.exit(f"reproduce: {' '.join(map(str, command))} ended with {code}")
-
-
-def draw_paper(program, results):
-    for kind, name in PAPER_FIGURES.items():
-        picture = pathlib.Path("docs/pictures") / f"{name}.png"
-        picture.unlink(missing_ok=True)  # of the clone, which the program did not write and would not replace
-        run(program, "figure", results / "study", "--kind", kind, "--format", "png", "--out", picture)
 
 
 def measure_bodies(program, results):
@@ -50,8 +42,6 @@ def main():
     results = pathlib.Path("results") / document
     for study in STUDIES[document].split():
         run(program, "study", f"examples/{document}/{study}.toml", "--out", results / study.removeprefix("study-"), may_find=True)
-    if document == "paper":
-        draw_paper(program, results)
     if document == "evidence":
         measure_bodies(program, results)
     page = "docs/reliability-tables.md" if document == "reliability" else "docs"

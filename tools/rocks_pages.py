@@ -211,7 +211,7 @@ def paper_page(card, picture):
     cells = [c for c in card["cells"] if c["property"] == "UCS"]
     worst = max(cells, key=lambda c: abs(c["error"]))
     text = BORYEONG_HEAD + f"**{card['verdict']['sentence']}**\n\n" + "".join(f"- {line}\n" for line in card["verdict"]["lines"])
-    text += "\n## UCS over the inclination\n" + (f"![UCS: laboratory, model, band, left-out values, plane of weakness]({picture})\n\n" if picture else "\n")
+    text += "\n## UCS over the inclination\n" + (f"![UCS: laboratory, model, 95 % intervals, left-out values, plane of weakness]({picture})\n\n" if picture else "\n")
     text += table(["theta [deg]", "laboratory [MPa]", "model, unseen packings [MPa]", "error [%]", "left out [MPa]", "plane of weakness, left out [MPa]"],
                   [paper_cell(c) for c in cells])
     text += "\nModel and left-out values are means over the first packings. The plane of weakness is Jaeger's, fitted without the value.\n\n"

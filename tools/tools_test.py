@@ -2,6 +2,7 @@
 """Hard cases of the reader of C++ and of the comparison of calibrations (part of `make lint`)."""
 import json
 import pathlib
+import re
 import stat
 import tempfile
 import tomllib
@@ -142,6 +143,28 @@ h("%s");
     def test_sentences_end_where_a_reader_ends_them(self):
         text = "Fig. 3 shows E. nu falls (see Eq. 1). sigma_c stays. It is 0.5 there."
         self.assertEqual(len(check_docs.sentences(text)), 4)
+
+
+class Cards(unittest.TestCase):
+    def test_formats_names_every_key_of_the_cards_and_no_other(self):
+        page = (check_docs.ROOT / "docs/formats.md").read_text(encoding="utf-8").split("## Card, version 1")[1].split("\n## ")[0]
+        named = {(row[0], key) for row in map(check_docs.cells, page.splitlines()) if len(row) == 3 for key in re.findall(r"`([^`]+)`", row[1])}
+        found = set()
+
+        def walk(value, of):
+            for part in value if isinstance(value, list) else [value]:
+                if isinstance(part, list):
+                    walk(part, of)
+                for key, held in part.items() if isinstance(part, dict) else ():
+                    if key in rocks_card.PROPERTIES:
+                        walk(held, of)  # by property
+                        continue
+                    found.add((of, key))
+                    walk(held, key)
+
+        for path in (check_docs.ROOT / "data/rocks").glob("*/card.json"):
+            walk(json.loads(path.read_text(encoding="utf-8")), "card")
+        self.assertEqual(found, named)
 
 
 class Status(unittest.TestCase):

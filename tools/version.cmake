@@ -1,4 +1,4 @@
-# Writes version.cpp: the release, or "0.2.0-dev+COMMIT", with ".changed" where tracked files differ from the commit.
+# Writes version.cpp: the release, or "VERSION-dev+COMMIT", with ".changed" where tracked files differ from the commit.
 set(version ${RELEASE}${DEV})
 if(DEV AND EXISTS ${SOURCE}/.git)
   execute_process(COMMAND git rev-parse --short=8 HEAD WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE commit

@@ -5,7 +5,7 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 project = "Phyllite"
 author = "the Phyllite authors"
-version = release = re.search(r"project\(phyllite VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+version = release = re.search(r"^## (\S+),", (ROOT / "CHANGELOG.md").read_text(), re.M)[1]
 
 extensions = ["myst_parser"]
 myst_enable_extensions = ["deflist"]

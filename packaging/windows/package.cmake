@@ -18,4 +18,5 @@ foreach(package gcc-mingw-w64-base mingw-w64-common)
   install(FILES /usr/share/doc/${package}/copyright DESTINATION licences RENAME ${package}.txt)
 endforeach()
 install(DIRECTORY examples DESTINATION .)
+install(DIRECTORY data/rocks DESTINATION data)  # whose tables examples name
 include(CPack)

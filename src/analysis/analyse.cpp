@@ -41,6 +41,8 @@ std::vector<Number> axial_numbers(const History& history, const LoadingBranch& b
   // The strength first: it is what people look for, and what notes are joined to.
   std::vector<Number> out = strength(branch);
   add(out, strength_rule(branch));
+  // Platens hold back the ends and dent them: the gauge is the rock's, the platen what a laboratory without
+  // gauges reads.
   add(out, elastic(branch, options, StrainFrom::gauge, ""));
   add(out, elastic(branch, options, StrainFrom::platen, "_platen"));
   add(out, window_checks(branch, cracks, options.tangent));

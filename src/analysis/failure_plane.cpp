@@ -55,6 +55,7 @@ struct Score {
 Score score_of(std::span<const Vec2> cracks, double grain, double angle) {
   const std::vector<Place> places = places_of(cracks, angle);
   const double near = pairs_within(places, grain), all = std::max(1.0, pairs_within(places, wide * grain));
+  // In an even cloud the number of pairs is proportional to the width of the band.
   const double share = 1.0 / wide;
   return {(near - share * all) / std::sqrt(all * share * (1.0 - share)), near / (share * all), angle};
 }
@@ -90,6 +91,7 @@ double jackknife(const std::vector<Vec2>& cracks, double grain, double angle) {
   double squares = 0.0;
   for (std::size_t out = 0; out < tenths; ++out) {
     std::vector<Vec2> kept;
+    // Cracks come in the order of time: a tenth in one piece would take a whole event away.
     for (std::size_t i = 0; i < cracks.size(); ++i)
       if (i % tenths != out) kept.push_back(cracks[i]);
     squares += std::pow(folded(refined(kept, grain, angle) - angle), 2);
@@ -142,6 +144,7 @@ std::vector<Number> failure_numbers(std::span<const CrackEvent> cracks, double g
 }
 
 MeanDirection mean_direction(std::span<const double> angles) {
+  // A plane at 179 degrees is a neighbour of one at 1: doubled angles have no such seam.
   double c = 0.0, s = 0.0;
   for (const double a : angles) c += std::cos(radians(2.0 * a)), s += std::sin(radians(2.0 * a));
   if (angles.empty()) return {};

@@ -37,7 +37,11 @@ std::string csv_cell(std::string_view text);
 
 /// sh: one word that means itself, in quotes unless nothing in it means anything to a shell.
 std::string sh_word(std::string_view text);
-/// sh: this program with its words, "phyllite calibrate 'my rock.toml'".
+/// cmd.exe and PowerShell: the same. No quotes of theirs take the meaning from %NAME% and $NAME in both.
+std::string cmd_word(std::string_view text);
+/// The one of the two that this system has.
+std::string shell_word(std::string_view text);
+/// This program with its words, to be pasted into that shell: "phyllite calibrate 'my rock.toml'".
 std::string command_of(const std::vector<std::string>& words);
 
 /// gnuplot: a string expression of parts in single quotes, in which it looks for neither commands

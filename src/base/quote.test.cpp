@@ -66,6 +66,20 @@ TEST(Quote, AShellTakesAWordAsItIs) {
   EXPECT_EQ(std::system(("test " + sh_word(every_byte()) + " = \"$PHY_WORD\"").c_str()), 0);
 }
 
+TEST(Quote, WindowsTakesItsLineApartAsItWasMeant) {
+  EXPECT_EQ(cmd_word("results\\a-1.toml"), "results\\a-1.toml");
+  EXPECT_EQ(cmd_word("C:\\my rocks\\"), "\"C:\\my rocks\\\\\"");
+  EXPECT_EQ(cmd_word("it's"), "\"it's\"");
+  EXPECT_EQ(cmd_word("1,2"), "\"1,2\"");  // two words to PowerShell
+  EXPECT_EQ(cmd_word("a\"b"), "\"a\\\"b\"");
+  EXPECT_EQ(cmd_word(""), "\"\"");
+}
+
+TEST(Quote, TheShellIsThatOfTheSystem) {
+  EXPECT_EQ(shell_word("my rock.toml"), sh_word("my rock.toml"));
+  EXPECT_EQ(command_of({"run", "it's.toml"}), "phyllite run 'it'\\''s.toml'");
+}
+
 TEST(Quote, GnuplotShowsWhatItIsGiven) {
   EXPECT_EQ(gnuplot_string("it's `rm` \"x\""), "'it'.\"'\".'s `rm` \"x\"'");
   EXPECT_EQ(gnuplot_string("a\n"), "'a\\x0a'");

@@ -107,4 +107,11 @@ std::string wrapped(const std::string& text, int terminal_width, std::size_t ind
   return out;
 }
 
+std::string joined_text(const std::vector<std::string>& items, const char* between, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == items.size() ? last : between) + items[i];
+  return text;
+}
+
 }  // namespace phy

@@ -33,4 +33,7 @@ std::string text_table(const Column& label, const std::vector<Columns>& groups, 
 /// Lines that are too wide are broken at spaces; what continues a line is indented by `indent` spaces.
 std::string wrapped(const std::string& text, int terminal_width, std::size_t indent = 0);
 
+/// "a, b and c": `last` stands before the last item, `between` before the others.
+std::string joined_text(const std::vector<std::string>& items, const char* between, const char* last);
+
 }  // namespace phy

@@ -13,6 +13,7 @@ using verdict::tolerance;
 
 using Eigen::VectorXd;
 
+// Half a tolerance counts as one: a fiftieth of a coordinate outside the box costs as much.
 constexpr double box_wall = 50.0;    // back into the box
 constexpr double slope_step = 1e-4;  // of the derivatives
 
@@ -29,6 +30,8 @@ struct Misfit {
   void operator()(const VectorXd& x, VectorXd& r) const {
     const Point held = posterior.held(Point(x.begin(), x.end()));
     const Eigen::Index n = n_misses, m = mean.size();
+    // The surrogates know nothing outside the box, and their prior grows there without bound: they are asked
+    // at its edge.
     const std::vector<StrengthPosterior::Miss> misses = posterior.misses(held);
     for (Eigen::Index i = 0; i < n; ++i) {
       const StrengthPosterior::Miss& miss = misses[static_cast<std::size_t>(i)];
@@ -68,6 +71,8 @@ Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& d
   const auto n_misses = static_cast<Eigen::Index>(posterior.misses(draws.front()).size());
   Misfit misfit{posterior, VectorXd::Zero(m), VectorXd::Zero(m), n_misses, left_out};
   const double n = static_cast<double>(draws.size());
+  // The distance is measured from the draws, but in the units of the prior. In those of the draws a
+  // determined parameter would be held where the draws are, not where the table is.
   for (const Point& x : draws) misfit.mean += Eigen::Map<const VectorXd>(x.data(), m) / n;
   for (Eigen::Index j = 0; j < m; ++j) misfit.sd[j] = posterior.prior_spread(static_cast<std::size_t>(j));
   return misfit;
@@ -77,6 +82,7 @@ Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& d
 
 Point best_estimate(const StrengthPosterior& posterior, const std::vector<Point>& draws,
                     std::size_t left_out) {
+  // Strengths of several valleys may fit alike: no single start finds the deepest.
   std::vector<VectorXd> starts;
   for (const Point& x : draws)
     starts.emplace_back(Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));

@@ -11,7 +11,6 @@
 #include "calibrate/model_trial.hpp"
 #include "calibrate/outlook.hpp"
 #include "maps/placing.hpp"
-#include "maps/reach.hpp"
 #include "survey/cells.hpp"
 #include "verdict/causes.hpp"
 #include "verdict/cells.hpp"
@@ -21,6 +20,7 @@ namespace {
 
 Evidence with_model(const Evidence& evidence, const Rock& rock) {
   Evidence with(rock, evidence.targets);
+  // Evidence is made anew from the rock, and would forget that this calibration is to do without maps.
   with.maps = evidence.maps;
   return with;
 }
@@ -65,6 +65,7 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
                                                   simulator, options.listener.begins);
     const Rock& rock = choice.rock();
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
+      // Shares of jointed planes are candidates too, but of one model: among them alone nothing was chosen.
       return r.layers != rock.layers || r.matrix != rock.matrix;
     });
     for (Finding& f : choice.findings()) result.notes.push_back(std::move(f));
@@ -73,6 +74,7 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
       Model other = {with_model(evidence, rival->rock), choice.share(*rival)};
       other.misses_modulus = rival->misses_modulus;
       if (!rival->misses_modulus) other.advice = choice.asked_for(*rival);
+      // A rival that would be refused must not end a calibration hours after it began.
       if (is_possible(other.evidence)) models.rivals.push_back(std::move(other));
     }
     result.rival = models.advice(0);
@@ -90,12 +92,15 @@ struct Missed {
     double squares = 0.0;
     for (const Comparison& row : c.verification)
       if (row.answered()) {
+        // In tolerances: 3 % of E weigh what 10 % of a tensile strength do.
         squares += std::pow(verdict::miss_of(row) / verdict::tolerance(row.target.property), 2.0);
         --unanswered;
       }
     if (unanswered < n_values) tolerances = std::sqrt(squares / static_cast<double>(n_values - unanswered));
   }
   bool operator<(const Missed& other) const {
+    // The root mean square passes over values without an answer. Alone it would favour the model that answers
+    // least.
     return std::pair(unanswered, tolerances) < std::pair(other.unanswered, other.tolerances);
   }
 };
@@ -121,13 +126,16 @@ class Trial {
   /// By the model that was taken and, as long as what was found is out of reach, by its rivals.
   Attempt run() {
     say_outlook(models_.taken, 0);
+    // Pictures at once only where no rival may follow: else they might be of a model that is given up.
     Tried found = by(models_.taken, models_.rivals.empty());
     for (std::size_t k = 0; k < models_.rivals.size() && tries(models_.rivals[k], found); ++k) {
       const Model& rival = models_.rivals[k];
       options_.listener.begins({FindingKind::course_model, {}, {}, {rival.name(), tried_.back()->name()}});
       say_outlook(rival, k + 1);
+      // The numbers on the screen are those of the model that was given up.
       options_.listener.estimates({});
       found = nearer_of(std::move(found), by(rival, false));
+      // Whoever is advised to try another model should not be sent to one that was tried here.
       found.attempt.calibration.rival = models_.advice(k + 1);
     }
     report_others(found);
@@ -169,6 +177,7 @@ class Trial {
     CalibrationOptions rest = options_;
     rest.max_tests = left();
     Tried one = {calibrate_by(model.evidence, known, rest, simulator_, pictures_at_once), &model};
+    // What a rival will cost shows only at its end: the costliest so far stands for it.
     n_one_ = std::max(n_one_, one.attempt.n_tests);
     tried_.push_back(&model), results_.push_back(result_of(one));
     return one;
@@ -182,7 +191,7 @@ class Trial {
             {},
             {{"unanswered", static_cast<double>(missed.unanswered)},
              {"tolerances", missed.tolerances},
-             {"reached", one.status() == VerdictStatus::out_of_reach ? 0.0 : 1.0}},
+             {"reached", misses_table(one.status()) ? 0.0 : 1.0}},
             {one.by->name()}};
   }
 
@@ -192,19 +201,19 @@ class Trial {
            left() >= std::max(n_one_, least_tests(rival.evidence, options_));
   }
 
-  /// The one that is not out of reach, or else the nearer one.
+  /// The second where it meets the table, or else the nearer one.
   Tried nearer_of(Tried first, Tried second) const {
+    // Half a calibration cannot be compared. The whole one is kept, and says that it was stopped.
     if (second.status() == VerdictStatus::interrupted) {
       first.attempt.calibration.verdict = second.attempt.calibration.verdict;
       return first;
     }
-    const bool taken =
-        second.status() != VerdictStatus::out_of_reach ||
-        Missed(second.attempt.calibration, n_values_) < Missed(first.attempt.calibration, n_values_);
+    const bool taken = !misses_table(second.status()) || Missed(second.attempt.calibration, n_values_) <
+                                                             Missed(first.attempt.calibration, n_values_);
     return taken ? std::move(second) : std::move(first);
   }
 
-  /// What the other models of a calibration came to, and what the maps say of the one that was taken.
+  /// What the other models of a calibration came to, and how near the maps are to a table that is missed.
   void report_others(Tried& found) const {
     Calibration& c = found.attempt.calibration;
     std::vector<Recipe> recipes = {found.by->evidence.rock.model};
@@ -214,9 +223,8 @@ class Trial {
       c.notes.insert(c.notes.end(), results_.begin(), results_.end());
       c.notes.push_back({FindingKind::model_kept, {}, {}, {found.by->name()}});
     }
-    for (Finding& f : maps::reach_of(found.by->evidence, options_.effort.name == quick_effort.name))
-      c.reach.push_back(std::move(f));
-    if (c.verdict.status != VerdictStatus::out_of_reach || !method_of(c.method).compares_models) return;
+    // The sequence takes whichever model it is given, so that another one is no advice there.
+    if (!misses_table(c.verdict.status) || !method_of(c.method).compares_models) return;
     if (const auto nearest = maps::against_maps(found.by->evidence, recipes, c.verification))
       c.verdict.findings.insert(c.verdict.findings.begin(), *nearest);
   }
@@ -230,6 +238,7 @@ SimulatorCount operator-(const SimulatorCount& a, const SimulatorCount& b) {
 
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& asked, Simulator& simulator) {
   const CalibrationOptions options = settled(asked, evidence);
+  // Refusals come first: none after the first solution, which may take minutes.
   check_budget(evidence, options);
   const auto start = std::chrono::steady_clock::now();
   const SimulatorCount before = simulator.count();
@@ -241,17 +250,20 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& asked,
     const Models models = models_of(evidence, result, options, simulator);
     Attempt attempt = Trial(models, result, options, simulator, before.compression()).run();
     result = std::move(attempt.calibration);
+    // A simulator may serve several calibrations, one after the other.
     result.counts = simulator.count() - before;
     if (result.verdict.status != VerdictStatus::interrupted)
       run_for_pictures(attempt.pictures, options.listener, simulator);  // which count for nothing
   } catch (const Stopped&) {  // while the models were compared, or at the pictures
     result.verdict = {VerdictStatus::interrupted, {{FindingKind::stopped}}};
   }
+  // Causes need the whole result: which models were tried, what was spent, what the maps say.
   verdict::explain(result);
   if (result.verdict.status == VerdictStatus::out_of_reach && result.rival &&
       result.verdict.next.advice != Advice::try_rival)  // something better was advised
     result.notes.push_back(*result.rival);
   Verdict& v = result.verdict;
+  // Rock without layers has no angles. The rooms that made these findings do not know the rock.
   for (auto* list : {&v.findings, &v.good_for, &v.not_good_for, &v.causes, &result.notes, &result.reach})
     *list = survey::cells_in(evidence.rock, std::move(*list));
   v.next = survey::cells_in(evidence.rock, {v.next}).front();

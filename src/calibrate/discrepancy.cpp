@@ -18,10 +18,13 @@ Discrepancy::Discrepancy(std::vector<StrengthResidual> residuals, std::size_t le
     : residuals_(std::move(residuals)) {
   for (std::size_t i = 0; i < residuals_.size(); ++i) {
     const Target& target = residuals_[i].target;
+    // The group is made even if its only member is left out: it then knows its prior alone, which is the
+    // answer.
     Group& group = groups_[kind_of(target.property)];
     if (i != left_out) group.members.push_back(i), group.strength += target.mean;
   }
   for (auto& [kind, group] : groups_) {
+    // That group without members would divide zero by zero.
     group.strength /= static_cast<double>(std::max<std::size_t>(1, group.members.size()));
     std::vector<AngleCell> cells;
     for (const std::size_t i : group.members)
@@ -55,6 +58,7 @@ Discrepancy::Term Discrepancy::of(std::size_t residual) const {
   if (member != group.members.end())
     return term_of(group, group.process->of_cell(static_cast<std::size_t>(member - group.members.begin())));
   Term term = at(own.target);
+  // At a stranger the stand-in's own error comes on top; of a member the process has counted it.
   term.variance += own.unknown;
   return term;
 }
@@ -66,6 +70,7 @@ Discrepancy::Term Discrepancy::at(const Target& test) const {
 
 double Discrepancy::of_draw(const Term& term, std::size_t draw) const {
   double sum = 0.0;
+  // The same weights for all draws: the process is fitted once, at the estimate, and linear in the residuals.
   for (std::size_t j = 0; j < residuals_.size(); ++j) sum += term.weights[j] * residuals_[j].of_draws[draw];
   return sum;
 }

@@ -54,6 +54,7 @@ void minimise(ElasticProblem& problem, Point& x, int most, double tolerance) {
 void take_packings(ElasticProblem& problem, const Point& x, std::vector<std::int64_t> seeds,
                    const std::vector<std::int64_t>& spare) {
   const std::size_t n_first = seeds.size();
+  // The standard error falls with the root of the number.
   const double wanted = std::ceil(std::pow(problem.worst_scatter(x) / packing_error, 2.0));
   for (const std::int64_t seed : spare)
     if (static_cast<double>(seeds.size()) < wanted) seeds.push_back(seed);
@@ -63,6 +64,7 @@ void take_packings(ElasticProblem& problem, const Point& x, std::vector<std::int
 
 /// On the packings at hand, with the effect of one-sided contacts measured on `n_corrected` of them.
 void refine(ElasticProblem& problem, Point& x, std::size_t n_corrected) {
+  // First the effect, then four steps: it hardly moves with the parameters, so that one turn is enough.
   problem.correct(x, n_corrected);
   minimise(problem, x, 4, 1e-3);
 }
@@ -92,6 +94,8 @@ Spread spread_at(ElasticProblem& problem, const Point& x) {
   const VectorXd r = vector_of(at.residuals);
   const MatrixXd J = vector_of(at.jacobian).reshaped(r.size(), m);
   const double misfit = std::max(1.0, r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m)));
+  // `whole` counts packings as if their errors were independent. That part is taken out below, and comes back
+  // as the moves of whole packings.
   const MatrixXd whole = inverse_of_squares(J), G = whole * J.topRows(n).transpose();
   VectorXd sizes(n), by_packings(n);
   const std::vector<ElasticProblem::Unit> units = problem.units(x);
@@ -101,6 +105,8 @@ Spread spread_at(ElasticProblem& problem, const Point& x) {
   const std::vector<std::vector<double>> deviations = problem.deviations(x);
   const std::size_t p = deviations.size(), degrees = std::max(scatter_degrees, p - 1);
   const double of_mean =
+      // Everything that follows multiplies by the normal quantile, so the widening by Student is put into the
+      // scatter.
       student_t_95(degrees) / z_95 *
       std::sqrt(misfit / std::max(1.0, static_cast<double>(p) * (static_cast<double>(p) - 1.0)));
   Spread s;
@@ -119,6 +125,7 @@ std::pair<double, double> interval_of(const Comparison& c, double variance) {
   const double scatter = std::isfinite(c.sd) ? c.sd * c.sd / std::max(1, t.n) : 0.0;
   const double lab = std::pow(counted_error(t), 2.0), share = lab / (lab + scatter);
   const double centre = share * c.mean + (1.0 - share) * t.mean;
+  // Two independent sources have the product of their variances over the sum. That is share * scatter.
   const double half = z_95 * std::sqrt(share * share * variance + share * scatter);
   return {centre - half, centre + half};
 }
@@ -126,6 +133,7 @@ std::pair<double, double> interval_of(const Comparison& c, double variance) {
 Estimate estimate(const Parameter& p, const LogBox& box, double x, double sd) {
   Estimate e = sought(p);
   e.value = std::exp(x);
+  // The walls are soft and x may end a little outside: its interval has to hold it all the same.
   e.low = std::exp(std::max(std::min(box.low, x), x - z_95 * sd));
   e.high = std::exp(std::min(std::max(box.high, x), x + z_95 * sd));
   e.box_low = std::exp(box.low), e.box_high = std::exp(box.high);
@@ -152,6 +160,8 @@ void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
     fit.parameters.push_back(
         estimate(problem.parameter(j), problem.box(j), x[j], std::sqrt(covariance(d, d))));
   }
+  // Drawn jointly: E_c and the stiffness of joints trade off, and draws one by one would not have the table's
+  // moduli.
   fit.draws = draws_of(problem, x, covariance);
   fit.comparisons = problem.comparisons(x);
   const std::vector<ElasticAnswer>& answers = problem.answers(x);
@@ -166,6 +176,7 @@ void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
 bool misses_E(const std::vector<Comparison>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const Comparison& c) {
     const Target& t = c.target;
+    // With the usual scatter of 8 % in its place, nearly every miss of E would be excused.
     const double scatter = t.sd_assumed ? 0.0 : t.half_width() / t.mean;
     return t.property == Property::E && std::fabs(miss_of(c)) > std::max(tolerance(Property::E), scatter);
   });
@@ -203,12 +214,14 @@ struct MisfitOfE {
 
 /// E as well as it can be had; then, of all that E cannot tell apart, the nearest nu.
 void find_nearest_nu(ElasticProblem& problem, Point& x) {
+  // nu is never dropped: without any weight only its prior would hold k_s/k_n.
   double limit = 0.0, kept = 0.0;
   for (const double weight : nu_weights) {
     Point moved = x;
     problem.weigh_nu(weight);
     minimise(problem, moved, 6, 1e-3);
     const MisfitOfE misfit(problem.comparisons(moved));
+    // The first and least weight leaves E all but alone: what it misses there is its best.
     if (weight == nu_weights[0]) limit = misfit.limit(problem.n_parameters());
     if (misfit.chi2 > limit) break;
     x = moved, kept = weight;
@@ -227,6 +240,7 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
   begins({FindingKind::course_moduli});
   const std::int64_t first_solution = simulator.count().solutions;
   ElasticProblem problem(evidence, simulator);
+  // One packing first: far from the answer five say nothing more, at five times the cost.
   problem.use_packings({seeds.front()});
   Point x = problem.first_guess(seeds.front());
   minimise(problem, x, 20, 1e-3);
@@ -241,6 +255,7 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
   if (const std::vector<Comparison> rows = problem.comparisons(x);
       evidence.has(Property::nu) && misses_E(rows)) {
     fit.E_before = worst_E(rows);
+    // If E gains nothing by it, nu must not have given way: the whole state goes back.
     const ElasticProblem with_nu = problem;
     const Point x_with_nu = x;
     find_nearest_nu(problem, x);

@@ -10,6 +10,8 @@ namespace phy::calibrate {
 void take_packing(Recipe& recipe, std::int64_t seed) {
   recipe.packing.seed = seed;
   const auto drawn = [](const BeddingRecipe& b) { return b.is_drawn(); };
+  // Only then: another seed of the strengths would change specimens that need none, and all that is stored of
+  // them.
   if (std::any_of(recipe.bedding.begin(), recipe.bedding.end(), drawn)) recipe.matrix.bond_seed = seed;
 }
 
@@ -18,6 +20,7 @@ Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed) {
   take_packing(one, seed);
   one.test.angles.clear();
   one.test.intact = false;
+  // A specimen of the simulator stands as it is: the list of angles is gone, and its layers are turned here.
   if (layered(one)) genesis::turn_layers(one.matrix, one.bedding, theta);
   return one;
 }

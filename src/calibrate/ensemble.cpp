@@ -25,6 +25,7 @@ Variances variances_of(const std::vector<Chain>& chains) {
     means.push_back(s.mean), v.within += s.sd * s.sd / static_cast<double>(chains.size());
   }
   const double between = summarise(means).sd;
+  // Too large as long as chains disagree, so that its ratio to what is inside falls to one as they mix.
   v.total = (n - 1.0) / n * v.within + between * between;
   return v;
 }
@@ -46,12 +47,17 @@ double effective_of(const std::vector<Chain>& chains) {
   const auto correlation = [&](std::size_t lag) {
     return 1.0 - (v.within - autocovariance(chains, lag) * n / (n - 1.0)) / v.total;
   };
+  // The time is 1 + 2 (sum from lag 1 on). Pairs begin with lag 0, whose 1 is doubled too: hence the -1.
   double time = -1.0, least = 2.0;
+  // By pairs, since a single odd lag of a healthy chain may be negative. Of a reversible chain pairs are
+  // positive and fall.
   for (std::size_t lag = 0; lag + 1 < chains.front().size(); lag += 2) {
     const double pair = correlation(lag) + correlation(lag + 1);
+    // From here on there is noise only, and its sum would not settle.
     if (pair <= 0.0) break;
     least = std::min(least, pair), time += 2.0 * least;
   }
+  // Never more than there are: draws that alternate would claim it.
   return static_cast<double>(chains.size()) * n / std::max(1.0, time);
 }
 
@@ -101,7 +107,9 @@ Move stretched(const std::vector<Point>& walkers, std::size_t i, std::size_t oth
                const Uniforms& u) {
   constexpr double stretch = 2.0;  // Goodman & Weare's a
   const Point& partner = walkers[one_of(others, n_others, u(1))];
+  // The density 1/sqrt(z) from 1/a to a, by its inverse: but for the volume, forth and back are as likely.
   const double root = 1.0 + (stretch - 1.0) * u(2), z = root * root / stretch;
+  // A stretch by z makes the volume z^(d - 1) as large, which the chance of the move has to make good.
   Move move{partner, (static_cast<double>(partner.size()) - 1.0) * std::log(z)};
   for (std::size_t d = 0; d < partner.size(); ++d) move.to[d] += z * (walkers[i][d] - partner[d]);
   return move;
@@ -113,8 +121,10 @@ Move along_a_difference(const std::vector<Point>& walkers, std::size_t i, std::s
   const std::size_t a = one_of(others, n_others, u(1));
   std::size_t b = one_of(others, n_others - 1, u(2));
   if (b >= a) ++b;
+  // As likely back as forth: no factor.
   Move move{walkers[i]};
   const double usual = 2.38 / std::sqrt(2.0 * static_cast<double>(move.to.size()));
+  // Of one fixed length, steps along a finite set of differences would leave places unreached.
   const double gamma = u(3) < whole ? 1.0 : usual * (1.0 + wobble * (2.0 * u(4) - 1.0));
   for (std::size_t d = 0; d < move.to.size(); ++d) move.to[d] += gamma * (walkers[a][d] - walkers[b][d]);
   return move;
@@ -132,12 +142,14 @@ std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers,
   for (int step = 0; step < steps; ++step) {
     for (std::size_t i = 0; i < n; ++i) {
       const Uniforms u{seed, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(i)};
+      // A partner that moves in the same half-sweep would break detailed balance.
       const std::size_t others = i < half ? half : 0, n_others = i < half ? n - half : half;
       Move move = u(0) < stretches ? stretched(walkers, i, others, n_others, u)
                                    : along_a_difference(walkers, i, others, n_others, u);
       const double p = density(move.to);
       if (std::log(u(5)) < move.log_factor + p - log_p[i]) walkers[i] = std::move(move.to), log_p[i] = p;
     }
+    // The first half forgets where the walkers began.
     if (step >= steps / 2 && (step + 1) % thin == 0)
       draws.insert(draws.end(), walkers.begin(), walkers.end());
   }

@@ -16,6 +16,7 @@ namespace phy::calibrate {
 namespace {
 
 constexpr std::array eq2_angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
+// The relation bends: three places show slope and curvature near the calibrated stiffness.
 constexpr std::array joint_factors = {0.5, 2.0};  // on the stiffness of the joints, beside 1
 constexpr std::array unsure = {0.7, 1.4};         // about what a spacing or a thickness is known to
 
@@ -64,6 +65,8 @@ theory::Eq1Fit eq1_of(std::span<const ElasticResult> results) {
     readings.push_back({eq2_angles[a], sum / static_cast<double>(n_seeds)});
   }
   theory::Eq1Options options;
+  // As the paper has it: with E free, E and the compliances trade off, and the line would move with the
+  // noise.
   options.reference = theory::Eq1Reference::measured_90;
   return theory::fit_eq1(readings, options);
 }
@@ -75,6 +78,7 @@ StiffnessRelation relation(const std::vector<Recipe>& recipes, const std::vector
   for (std::size_t i = 0; i < recipes.size(); ++i) {
     const BeddingRecipe& joints = recipes[i].bedding.front();
     if (i > 0 && joints.*k == recipes.front().bedding.front().*k) continue;  // the other stiffness varies
+    // A line through fewer places than three would hide that Eq. 1 failed at one.
     if (!fits[i].ok()) return {};
     micro.push_back(joints.*k), macro.push_back(1.0 / (fits[i].*compliance * joints.spacing));
   }
@@ -84,6 +88,7 @@ StiffnessRelation relation(const std::vector<Recipe>& recipes, const std::vector
 PlaneStiffness stiffness_of(const Setting& setting, const std::vector<std::int64_t>& seeds,
                             Simulator& simulator) {
   const std::vector<Recipe> recipes = with_other_joints(setting.recipe);
+  // All in one call: packings are made once, and solutions share the threads.
   std::vector<Recipe> singles;
   for (const Recipe& r : recipes)
     for (const double theta : eq2_angles)

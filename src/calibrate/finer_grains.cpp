@@ -42,10 +42,13 @@ std::optional<Finding> grains_for_nu(const Evidence& table, const ElasticFit& fi
   Rock rock = table.rock;
   rock.model = finer(rock.model);
   const double n = study::expected_grains(rock.model);
+  // A file holds one packing: its grains cannot be made smaller.
   if (missed.empty() || n > most_grains || !rock.model.packing.file.empty()) return {};
   const ElasticFit anew =
+      // Moduli anew, not the old ones on small grains: joints overlap otherwise there, and E would be off.
       fit_elastic(Evidence(rock, table.targets), seeds, {}, simulator, [](const Finding&) {});
   const double miss = largest_of(anew, missed);
+  // nu must not be bought with E, unless E stays within its tolerance.
   if (miss > verdict::tolerance(Property::nu) ||
       rms_of_E(anew) > std::max(rms_of_E(fit), verdict::tolerance(Property::E)))
     return {};

@@ -16,7 +16,6 @@ namespace phy::calibrate {
 namespace {
 
 constexpr std::uint32_t choice_seed = 20261122;
-constexpr std::int64_t n_bridged = 3;  // packings for the moduli of these, whose specimens differ more
 
 /// Sum of squared relative errors, and how many.
 struct Squares {
@@ -29,6 +28,7 @@ struct Squares {
 Squares modulus_squares(const ElasticFit& fit) {
   Squares squares;
   for (const Comparison& c : fit.comparisons)
+    // No answer counts as off by all of it. Passed over, it would favour the model that has none.
     if (c.target.property == Property::E) squares.add(c.answered() ? c.error() : 1.0);
   return squares;
 }
@@ -37,17 +37,21 @@ Squares modulus_squares(const ElasticFit& fit) {
 /// test.
 Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int threads) {
   StrengthPosterior posterior(evidence, recipe);
+  // Without a run: what the maps expect is all that is known of a model here.
   posterior.learn();
   std::vector<std::size_t> mapped;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
-    if (maps::is_expected(posterior.targets()[i])) mapped.push_back(i);
+    if (is_expected(posterior.targets()[i])) mapped.push_back(i);
   }
   std::vector<double> errors(mapped.size());
   for_all(mapped.size(), threads, [&] {
     return [&](std::size_t k) {
       const std::size_t i = mapped[k];
+      // A stream of its own per target: the threads may take them in any order.
       const std::vector<Point> draws = posterior.draws(i, choice_seed + static_cast<std::uint32_t>(i));
       double mean = 0.0;
+      // The mean over the draws and no best point: with more parameters than the values hold, a point is one
+      // of many.
       for (const Point& x : draws) mean += posterior.predict(x, i).mean / static_cast<double>(draws.size());
       errors[k] = std::log(posterior.targets()[i].mean) - mean;
     };
@@ -59,7 +63,8 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int thr
 
 ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& simulator) {
   std::vector<std::int64_t> seeds = {seed};
-  while (has_bridges(evidence.rock.model) && std::ssize(seeds) < n_bridged) seeds.push_back(seeds.back() + 1);
+  while (has_bridges(evidence.rock.model) && std::ssize(seeds) < bridged_packings)
+    seeds.push_back(seeds.back() + 1);
   return fit_elastic(evidence, seeds, {}, simulator, [](const Finding&) {});
 }
 
@@ -86,6 +91,7 @@ maps::ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>
   for (const Rock& rock : candidates) {
     const Evidence one(rock, evidence.targets);
     const LayerModel as = rock.layers == LayerModel::planes_and_directions ? LayerModel::planes : rock.layers;
+    // A fit takes longer than all predictions of a candidate, and many candidates share it.
     const auto [fit, fresh] = moduli.try_emplace({rock.model.matrix.model, as, jointed_share(rock.model)});
     if (fresh) fit->second = moduli_of(one, seed, simulator);
     choice.add(rival_of(one, fit->second, simulator.threads()), meets);

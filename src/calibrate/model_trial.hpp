@@ -10,6 +10,9 @@
 
 namespace phy::calibrate {
 
+/// Packings for the moduli of models with bridges, whose specimens differ more.
+constexpr std::int64_t bridged_packings = 3;
+
 /// Of the candidates, two or more.
 maps::ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates,
                                std::int64_t seed, Simulator& simulator,

@@ -6,9 +6,12 @@
 #include <set>
 
 #include "calibrate/method.hpp"
+#include "calibrate/model_trial.hpp"
 #include "calibrate/plan.hpp"
 #include "calibrate/search_plan.hpp"
+#include "calibrate/sequence.hpp"
 #include "calibrate/softening.hpp"
+#include "calibrate/stages.hpp"
 #include "calibrate/strength_tests.hpp"
 #include "maps/candidates.hpp"
 #include "study/expected.hpp"
@@ -20,14 +23,19 @@ namespace {
 using Kind = FindingKind;
 
 // Direct solutions of one inclination by stage, in those of contacts that also pull; one-sided ones take five
-// times as long. Measured on five rocks (measured/time.csv).
-constexpr double one_sided = 5.0, of_first_fit = 12.0, of_packings = 50.0, of_more_packings = 120.0,
-                 of_eq2 = 30.0;
-// What draws and surrogates take beside the tests, per strength and batch, in the same unit as these.
-constexpr double of_learning = 4e6;
-constexpr double flat_joint_cost = 2.0;   // of a contact and cycle, over parallel bonds
-constexpr double bridged_packings = 3.0;  // that models with bridges are compared on
-constexpr int most_softenings = 4, sequence_tests = 8, sequence_rounds = 4;
+// times as long. One costs a share of what expected_direct_cost() says of both presses. Measured on twenty
+// calibrations (measured/time.csv).
+constexpr double of_presses = 0.05, one_sided = 5.0, of_first_fit = 12.0, of_packing = 10.0,
+                 of_packing_anew = 17.0, of_eq2 = 30.0;
+// What draws and surrogates take beside the tests, per strength and batch, in the same unit as these; and
+// where models are compared, per pair of strengths.
+constexpr double of_learning = 4e6, of_comparing = 1.2e6;
+// A test goes on until it has lost a fifth or has twice the strain of its peak, which expected_cost() does
+// not count.
+constexpr double beyond_expected = 1.75;
+constexpr double least_packings = 5.0, most_packings = 20.0;  // of a fit of the moduli
+constexpr double flat_joint_cost = 2.0;                       // of a contact and cycle, over parallel bonds
+constexpr int sequence_tests = 8;                             // of a step of the sequence
 
 /// E of the table nearest to an inclination [Pa]; without any that of the recipe.
 double modulus_at(const Evidence& evidence, double theta) {
@@ -77,7 +85,8 @@ class CostOfTests {
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       if (measured(targets_[i].property).read_in) continue;  // in a test of another
       const Recipe one = tests_.of(recipe, i, recipe.packing.seed, loading);
-      point.cost += of_contact * study::expected_cost(one, tests_.peak_strain(i)), ++point.tests;
+      point.cost += beyond_expected * of_contact * study::expected_cost(one, tests_.peak_strain(i));
+      ++point.tests;
       point.compression += is_compressive(targets_[i].property) ? 1 : 0;
     }
     return point;
@@ -107,7 +116,15 @@ class CostOfTests {
 double cost_of_solutions(const Evidence& evidence) {
   std::set<double> angles;
   for (const Target& t : evidence.moduli) angles.insert(t.theta);
-  return static_cast<double>(angles.size()) * study::expected_direct_cost(evidence.rock.model) / one_sided;
+  return static_cast<double>(angles.size()) * of_presses * study::expected_direct_cost(evidence.rock.model);
+}
+
+/// Packings that a fit of the moduli takes until their scatter is averaged out (elastic_fit.cpp): of layers
+/// thirty of 1,200 grains would do so, the finer the fewer.
+double packings_of_fit(const Evidence& evidence) {
+  constexpr double of_grains = 30.0 * 1200.0;
+  if (!evidence.rock.bedded) return least_packings;
+  return std::clamp(of_grains / study::expected_grains(evidence.rock.model), least_packings, most_packings);
 }
 
 class ModelCourse {
@@ -116,7 +133,8 @@ class ModelCourse {
       : evidence_(evidence),
         options_(options),
         scope_(scope_of(evidence, options)),
-        solutions_(cost_of_solutions(evidence)) {}
+        solutions_(cost_of_solutions(evidence)),
+        packings_(packings_of_fit(evidence)) {}
 
   std::vector<PlannedStage> stages() {
     if (scope_.moduli) add_moduli();
@@ -130,7 +148,8 @@ class ModelCourse {
   const Evidence& evidence_;
   const CalibrationOptions& options_;
   Scope scope_;
-  double solutions_;
+  double solutions_;  ///< cost of one at every inclination
+  double packings_;
   std::vector<PlannedStage> stages_;
 
   const Method& method() const { return method_of(options_.method); }
@@ -139,8 +158,9 @@ class ModelCourse {
   void add_moduli() {
     add(Kind::course_moduli, true, of_first_fit * solutions_);
     if (method().has_posterior) {
-      add(Kind::course_moduli_packings, true, of_packings * solutions_);
-      add(Kind::course_moduli_packings, false, of_more_packings * solutions_);
+      add(Kind::course_moduli_packings, true, of_packing * packings_ * solutions_);
+      add(Kind::course_moduli_packings, false,
+          of_packing * std::min(packings_, most_packings - packings_) * solutions_);
     }
     add(Kind::course_moduli_unseen, true, one_sided * verification_packings * solutions_);
   }
@@ -151,7 +171,7 @@ class ModelCourse {
     if (method().has_posterior)
       add_search(strengths);
     else
-      for (int k = 0; k < sequence_rounds; ++k)
+      for (int k = 0; k < most_sequence_rounds; ++k)
         stages_.push_back(
             strengths.on(Grains::own, as_measured).stage(Kind::course_step, k == 0, sequence_tests));
     std::vector<Target> tests = evidence_.strengths;
@@ -160,6 +180,7 @@ class ModelCourse {
     if (read)
       for (int k = 0; k < (has_coarse(strengths.settings()) ? 1 : most_softenings); ++k)
         stages_.push_back(whole.stage(Kind::course_softening, k == 0, n_softened)), add_refit();
+    // As verification.cpp decides it: specimens with a coarse stage keep to five packings.
     const bool may_grow = !has_coarse(strengths.settings());
     const auto most = static_cast<int>(may_grow ? verdict::most_packings : verification_packings);
     for (int n = verification_packings; n <= most; n += verification_packings)
@@ -190,11 +211,12 @@ class ModelCourse {
   }
 
   /// The moduli anew behind the last stage: it has no beginning of its own.
-  void add_refit() { stages_.back().cost += (of_first_fit + of_packings) * solutions_; }
+  void add_refit() { stages_.back().cost += of_packing_anew * packings_ * solutions_; }
 
   /// What may come, but would go beyond the tests that are allowed.
   void drop_beyond_budget() {
     std::int64_t left = options_.max_tests;
+    // What is certain is paid first; only the rest competes for what is left.
     for (const PlannedStage& s : stages_) left -= s.certain ? s.compression : 0;
     std::erase_if(stages_, [&](const PlannedStage& s) {
       if (s.certain || s.compression == 0) return false;
@@ -226,8 +248,10 @@ Ahead behind(const std::vector<PlannedStage>& first, const std::vector<Evidence>
   std::int64_t left = options.max_tests - compression_of(first, true);
   for (const Evidence& rival : rivals) {
     const std::vector<PlannedStage> stages = ModelCourse(rival, options).stages();
+    // Such a trial would not begin: its certain tests are not paid for.
     if (left < compression_of(stages, true)) break;
     const auto n = static_cast<double>(std::max<std::int64_t>(1, compression_of(stages, false)));
+    // A rival may be cut short by the budget: then it costs the part that is paid.
     const double paid = std::min(1.0, static_cast<double>(left) / n);
     const Ahead one = ahead_of(stages);
     later.most_cost += paid * one.most_cost;
@@ -256,7 +280,9 @@ Ahead Outlook::ahead() const {
 
 Outlook outlook_of(const Evidence& begins, int model, const std::vector<Evidence>& rivals,
                    const CalibrationOptions& options) {
-  Outlook course{model, model + static_cast<int>(rivals.size()), ModelCourse(begins, options).stages(), {}};
+  Outlook course{
+      model, model + static_cast<int>(rivals.size()), ModelCourse(begins, options).stages(), {}, {}};
+  course.first = ahead_of(course.stages);
   course.later = behind(course.stages, rivals, options);
   // of the model that is taken in the end, where another one may have followed
   if (course.models > 1 && !begins.strengths.empty() && !options.elastic_only)
@@ -272,21 +298,25 @@ Outlook outlook_of(const Evidence& evidence, const CalibrationOptions& asked) {
   std::vector<Evidence> kinds = kinds_of(evidence, candidates);
   if (candidates.size() == 1 || !method_of(options.method).compares_models)
     return outlook_of(Evidence(candidates.front(), evidence.targets), 1, {}, options);
-  Outlook course{0, static_cast<int>(kinds.size()), {}, {}};
+  Outlook course{0, static_cast<int>(kinds.size()), {}, {}, {}};
   double cost = 0.0;
   for (const Rock& rock : candidates)
-    cost += of_learning * static_cast<double>(evidence.strengths.size() * evidence.strengths.size()) +
-            (has_bridges(rock.model) ? bridged_packings : 1.0) * of_first_fit * cost_of_solutions(evidence);
+    cost += of_comparing * static_cast<double>(evidence.strengths.size() * evidence.strengths.size()) +
+            static_cast<double>(has_bridges(rock.model) ? bridged_packings : 1) * of_first_fit *
+                cost_of_solutions(evidence);
   course.stages.push_back({Kind::course_models, true, cost});
   // whichever is taken: the quickest and nothing behind it, or one after the other
   course.later.least_cost = HUGE_VAL, course.later.least_tests = INT64_MAX;
-  std::vector<PlannedStage> none;
   for (const Evidence& kind : kinds) {
     const Ahead one = ahead_of(ModelCourse(kind, options).stages());
     course.later.least_cost = std::min(course.later.least_cost, one.least_cost);
     course.later.least_tests = std::min(course.later.least_tests, one.least_tests);
+    course.first.most_cost = std::max(course.first.most_cost, cost + one.most_cost);
+    course.first.most_tests = std::max(course.first.most_tests, one.most_tests);
   }
-  const Ahead all = behind(none, kinds, options);
+  course.first.least_cost = cost + course.later.least_cost;
+  course.first.least_tests = course.later.least_tests;
+  const Ahead all = behind({}, kinds, options);
   course.later.most_cost = all.most_cost, course.later.most_tests = all.most_tests;
   return course;
 }

@@ -28,6 +28,7 @@ struct Ahead {
 struct Outlook {
   int model = 0, models = 1;         ///< which of at most how many; 0: they are compared first
   std::vector<PlannedStage> stages;  ///< of this model, in their order
+  Ahead first;                       ///< by one model: this one, or whichever is taken first
   Ahead later;                       ///< of models behind it
   Ahead ahead() const;               ///< all of it
 };

@@ -68,6 +68,17 @@ TEST(Outlook, ModelsThatMayFollowCountInTheUpperEndAlone) {
               three = outlook_of(evidence, 1, {evidence, evidence}, {}).ahead();
   EXPECT_EQ(one.least_tests + 7, three.least_tests) << "specimens are shown when the model is known";
   EXPECT_GT(three.most_cost, 2.0 * one.most_cost);
+  EXPECT_EQ(outlook_of(evidence, 1, {evidence, evidence}, {}).first.most_cost, one.most_cost);
+}
+
+// Highest over lowest of tests and of cost, by one model: 1.3 to either side makes 3 of 1.8.
+TEST(Outlook, OneModelIsForeseenWithinAFactorOfTwo) {
+  for (const std::int64_t n_grains : {1197, 7481}) {
+    const Ahead first = outlook_of(evidence_of(n_grains), {}).first;
+    EXPECT_LT(first.most_cost, 2.0 * first.least_cost) << n_grains;
+    EXPECT_LT(static_cast<double>(first.most_tests), 2.0 * static_cast<double>(first.least_tests))
+        << n_grains;
+  }
 }
 
 TEST(Outlook, ModuliAloneTakeNoTest) {

@@ -16,6 +16,8 @@
 namespace phy::calibrate {
 namespace {
 
+// Five packings give the effect of one-sided contacts to 0.2 %, twenty mean E to 1 % where joints are soft. A
+// usual search takes 22 to 46, and hardly one of sixty twice (docs/decisions/0020).
 constexpr int n_fit = 5, n_spare = 15, n_search = 60;
 
 bool read_in_tests(const Evidence& evidence, const CalibrationOptions& options) {
@@ -58,9 +60,13 @@ Packings packings_from(std::int64_t first) {
   };
   p.fit = take(n_fit), p.unseen = take(verification_packings), p.spare = take(n_spare);
   p.next_unseen = next;
+  // Kept free even if the verification stops early: draws of the ensemble must not get other packings by
+  // that.
   next += static_cast<std::int64_t>(verdict::most_packings - verdict::first_packings);
   p.first_of_ensemble = next;
   next += static_cast<std::int64_t>(ensemble_size);
+  // The fit's packings come first: their genesis is paid already. What search and fit share is not what the
+  // verification sees.
   p.search = p.fit;
   for (const auto& more : {p.spare, take(n_search - n_fit - n_spare)})
     p.search.insert(p.search.end(), more.begin(), more.end());
@@ -72,6 +78,7 @@ CalibrationOptions settled(CalibrationOptions options, const Evidence& evidence)
   const auto forecast = options.elastic_only ? std::nullopt : maps::forecast_of(evidence);
   options.effort = normal_effort;
   if (forecast && forecast->status == VerdictStatus::out_of_reach)
+    // A long search would find the same miss, only more exactly.
     options.effort = quick_effort, options.effort.foreseen = true;
   return options;
 }

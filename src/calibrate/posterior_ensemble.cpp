@@ -28,6 +28,7 @@ std::vector<Point> gaussian_draws(const Point& mean, const std::vector<double>& 
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Map(covariance.data(), m, m);
   const Eigen::LLT<Eigen::MatrixXd> root(matrix);
   std::vector<Point> draws;
+  // Without a root there is no joint distribution: no draws say more than draws along the axes would.
   if (!matrix.allFinite() || root.info() != Eigen::Success) return draws;
   for (std::uint32_t k = 0; k < n; ++k) {
     Eigen::VectorXd x(m);
@@ -55,7 +56,10 @@ std::vector<Recipe> posterior_ensemble(const Recipe& estimate, const std::vector
   std::vector<Recipe> ensemble;
   for (std::size_t k = 0; k < ensemble_size; ++k) {
     Recipe r = strengths.empty() ? estimate : strengths[k];
+    // Behind the strengths, whose draws carry the estimate's moduli.
     if (!moduli.empty()) r = with_moduli(std::move(r), moduli[k]);
+    // Draws come with the settings of the search's tests; what a user runs should be the same test as the
+    // estimate's.
     r.test = estimate.test;
     take_packing(r, first_seed + static_cast<std::int64_t>(k));
     r.name = fmt::format("{}, draw {} of {}", estimate.name, k + 1, ensemble_size);

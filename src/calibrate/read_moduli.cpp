@@ -41,6 +41,7 @@ void ReadModuli::add(const Target& strength, const SurrogateRun& where, const Te
   const std::optional<Softening> s = softening_of(test, strength.property, solution, reading_);
   if (!s) return;
   SurrogateRun factor = where, addition = where;
+  // A factor by its logarithm, so that a surrogate never makes a negative E of it.
   factor.y = std::log(s->factor), addition.y = s->addition;
   Answers& answers = tests_[test_of_cell(strength)];
   answers.factors.push_back(std::move(factor)), answers.additions.push_back(std::move(addition));
@@ -73,6 +74,7 @@ Eigen::Index ReadModuli::n_followed() const {
 /// Projects out what stiffnesses can follow: least squares of the harmonics through the values.
 void ReadModuli::find_left() {
   const auto n = static_cast<Eigen::Index>(E_.size()), n_harmonics = n_followed();
+  // As many stiffnesses as values follow any course: nothing is left to be missed.
   if (n <= n_harmonics) return E_.clear();
   Eigen::MatrixXd harmonics(n, n_harmonics);
   for (Eigen::Index i = 0; i < n; ++i)
@@ -81,6 +83,7 @@ void ReadModuli::find_left() {
           sin_cos_degrees(2.0 * static_cast<double>(k) * E_[static_cast<std::size_t>(i)].target.theta).cos;
   left_ = Eigen::MatrixXd::Identity(n, n) -
           harmonics * (harmonics.transpose() * harmonics).ldlt().solve(harmonics.transpose());
+  // Variances of independent errors go through a linear map by its squares.
   known_ = left_.cwiseAbs2();
 }
 
@@ -109,6 +112,7 @@ std::vector<ReadModuli::Miss> ReadModuli::misses(std::span<const double> z) cons
   for (const Value& v : nu_) {
     const TestRead test = test_of_cell(v.target);
     const double d = tests_.at(test).learnt.back().at(inputs_of(test, z)).mean;
+    // Below that share the moduli take it up, and strengths need not care.
     const double beyond = std::max(0.0, d - (1.0 - least_nu) * v.target.mean);
     all.push_back({Property::nu, -beyond, 0.0, v.scatter});
   }

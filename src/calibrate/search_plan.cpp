@@ -11,6 +11,8 @@ namespace {
 
 /// Points of a whole search: the more is sought, the more of them.
 std::int64_t most_points(std::size_t n_ratios, const Effort& effort, Course course) {
+  // Six points for each ratio, no fewer than for six of them. Seven ninths: without the batch of 8, 28 of 36
+  // are left.
   constexpr double usual = 36.0, per_ratio = 6.0, without_a_batch = 7.0 / 9.0;
   return std::llround(effort.points * std::max(usual, per_ratio * static_cast<double>(n_ratios)) *
                       (course == Course::coarse_then_estimate ? without_a_batch : 1.0));
@@ -28,6 +30,7 @@ std::vector<Batch> batches_of(std::int64_t points, Course course) {
   std::vector<Batch> batches = {{first, false, n_first}, {first, false, n_last}};
   if (course == Course::coarse_then_own) batches.push_back({Grains::own, false, n_last});
   for (std::size_t left = course == Course::own ? 2 * n_last : n_last; left > 0;) {
+    // A rest joins the last round: fewer packings than a round has would hardly move the estimate.
     const std::size_t n = left < 2 * packings_per_round ? left : packings_per_round;
     batches.push_back({Grains::own, true, n});
     left -= n;
@@ -68,6 +71,7 @@ SearchPlan plan_search(const Budget& budget, std::size_t n_ratios, std::int64_t 
       .of_effort = effort.points < normal_effort.points,
       .of_tests = budget.max_tests < usual * n_compressive,
       .foreseen = effort.foreseen,
+      .below_most = effort.points < efforts.back().points,
       .tests = std::max<std::int64_t>(0, usual - std::clamp(paid, least_points, most)) * n_compressive};
   if (effort.points > normal_effort.points && paid < most && !plan.shortage.any())
     plan.cut = Finding{FindingKind::search_cut,
@@ -84,6 +88,7 @@ std::vector<std::size_t> PackingDealer::deal(const Batch& batch) {
     if (p > 0 && (batch.at_estimate || p % points_per_packing == 0)) ++next_;
     dealt.push_back(next_ % n_);
   }
+  // A batch begins on a packing of its own, also where the last one had a single point.
   ++next_;
   return dealt;
 }

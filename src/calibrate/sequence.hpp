@@ -38,6 +38,9 @@ void check_sequence(const Evidence& evidence);
 ElasticFit moduli_by_sequence(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
                               Simulator& simulator, const std::function<void(const Finding&)>& begins);
 
+/// Rounds of the strengths until one moves nothing, at most.
+constexpr int most_sequence_rounds = 4;
+
 /// In place of fit_strength(), on the first packing of the task; moduli are fitted anew after every round
 /// that moved a strength.
 void strengths_by_sequence(const SearchTask& task, StrengthFit& fit);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,7 +16,7 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double k_factors[] = {0.25, 0.5, 1.0, 1.5, 2.0};  // on k: docs/paper.md, Fig. 4
+constexpr std::array k_factors = {0.25, 0.5, 1.0, 1.5, 2.0};  // on k: docs/paper.md, Fig. 4
 constexpr int most_bases = 4;
 constexpr double usual_slope = 1.5;   // K/k, for the first base only
 constexpr double nu_settled = 0.005;  // of the logarithm of k_s/k_n
@@ -125,6 +126,7 @@ class SequenceOfModuli {
     const Parameter& E_c = parameter(fit_.recipe, MacroNumber::E);
     const Parameter& q = parameter(fit_.recipe, MacroNumber::nu);
     const double nu = nu_of(evidence_, E);
+    // nu before E: it does not depend on E_c, while E depends on k_s/k_n. So one turn of each is enough.
     E_c.set(fit_.recipe, E_c.get(fit_.recipe));  // contacts and bonds alike, as it is sought
     double ratio = q.get(fit_.recipe);
     if (std::isfinite(nu)) {
@@ -156,6 +158,7 @@ class SequenceOfModuli {
       Recipe recipe = fit_.recipe;
       p.set(recipe, factor * base);
       const double found = macro_at(recipe).*K / spacing();
+      // Where Eq. 1 finds no compliance the planes are infinitely stiff, and that is no point of a line.
       if (std::isfinite(found)) micro.push_back(factor * base), macro.push_back(found);
     }
     return fit_line(micro, macro);
@@ -172,7 +175,7 @@ class SequenceOfModuli {
       line = line_about(p, K, base);
       if (!(line.slope > 0.0)) break;
       k = in_box(p, std::max(0.0, (wanted - line.intercept) / line.slope));
-      if (k >= k_factors[0] * base && k <= 2.0 * base) break;
+      if (k >= k_factors.front() * base && k <= k_factors.back() * base) break;
     }
     fit_.notes.push_back(
         {FindingKind::eq2_line,
@@ -188,6 +191,7 @@ class SequenceOfModuli {
     const double per_slope = 1.0 / (usual_slope * spacing());
     k_n.set(fit_.recipe, in_box(k_n, rock.K_n_delta * per_slope));
     k_s.set(fit_.recipe, in_box(k_s, rock.K_s_delta * per_slope));
+    // Across the layers E has k_n alone, at an angle both: so k_n comes first.
     fit_joint(k_n, &Macro::K_n_delta, "n", rock.K_n_delta);
     fit_joint(k_s, &Macro::K_s_delta, "s", rock.K_s_delta);
   }

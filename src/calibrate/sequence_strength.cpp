@@ -12,7 +12,6 @@ namespace {
 constexpr double met = 0.02;            // of a UCS: a third of what the verdict tolerates
 constexpr double first_stride = 0.7;    // of the logarithm: a factor of two
 constexpr double least_bracket = 0.01;  // of the logarithm
-constexpr int most_rounds = 4;
 
 /// A strength and the UCS that is to tell it, by its place among the strengths of the table.
 struct Step {
@@ -37,6 +36,7 @@ std::optional<std::size_t> take(std::vector<std::size_t>& places, const std::vec
       if (best == places.end() || before(all[*it], all[*best])) best = it;
   if (best == places.end()) return {};
   const std::size_t place = *best;
+  // One UCS tells one strength: used twice, it would pull at both.
   places.erase(best);
   return place;
 }
@@ -78,13 +78,13 @@ class Sequence {
 
   void run() {
     bool settled = false;
-    for (int round = 1; round <= most_rounds && !settled && left_ > 0; ++round) {
+    for (int round = 1; round <= most_sequence_rounds && !settled && left_ > 0; ++round) {
       settled = !moved_in(round);
       if (!settled && refit_) read_moduli_anew();
     }
-    fit_.shortage.of_tests = !settled && left_ <= 0;
+    fit_.shortage.settled = settled, fit_.shortage.of_tests = !settled && left_ <= 0;
     if (!settled && left_ > 0)
-      fit_.notes.push_back({FindingKind::sequence_unsettled, {}, {{"rounds", most_rounds}}});
+      fit_.notes.push_back({FindingKind::sequence_unsettled, {}, {{"rounds", most_sequence_rounds}}});
     conclude();
   }
 
@@ -105,11 +105,13 @@ class Sequence {
   bool moved_in(int round) {
     bool moved = false;
     for (const Step& step : steps_) {
+      // Not settled: the budget has ended it, and not the answer.
       if (left_ <= 0) return true;
       begins_({FindingKind::course_step,
                {cell_of(evidence_.strengths[step.target])},
                {{"round", static_cast<double>(round)}},
                {step.parameter->symbol}});
+      // seek() first: the other way round the steps behind the first that moves would be skipped.
       moved = seek(step) || moved;
     }
     return moved;
@@ -155,6 +157,7 @@ class Sequence {
     const std::vector<Target> tests = tests_to_read(evidence_);
     const auto n = static_cast<std::int64_t>(tests.size());
     if (left_ < n) return;
+    // Softening takes tests from the same budget as the strengths.
     left_ -= n, n_tests_ += n;
     fit_.softenings =
         softenings_of({fit_.recipe, fit_.recipe, tests, {seed_}, evidence_.rock.E_is}, simulator_);

@@ -83,6 +83,7 @@ class OwnSimulator : public Simulator {
     const study::Plan plan = study::plan_of(recipes);
     if (options_.sink != nullptr)
       for (const study::PlannedTest& t : plan.tests)
+        // The store would answer with numbers, and the pictures would never be made.
         if (keeps_pictures(t.recipe) && !options_.sink->holds(t.recipe)) store().remove(t.key);
     run_plan(plan);
     std::vector<std::string> keys;
@@ -132,6 +133,7 @@ class OwnSimulator : public Simulator {
     } catch (const genesis::Interrupted&) {
       throw Stopped{};
     }
+    // The map is written by one thread, after all are made.
     for (std::size_t i = 0; i < list.size(); ++i) packings_[list[i].first] = made[i];
   }
 
@@ -180,10 +182,13 @@ std::vector<ElasticResult> Simulator::elastic(const std::vector<Recipe>& recipes
 
 std::vector<TestResult> Simulator::test(const std::vector<Recipe>& recipes, Grains grains) {
   std::vector<TestResult> results = run(recipes);
+  // Of a batch that was stopped some answers are empty; none may be learnt from.
   if (stopped()) throw Stopped{};
   std::set<std::string> counted;
   for (const Recipe& r : recipes) {
     if (!counted.insert(study::specimen_key(r)).second) continue;
+    // Also what a store has answered: a calibration that goes on after a stop must decide as if it had run
+    // them.
     ++count_.tests;
     count_.tension += is_compression(*r.test.kind) ? 0 : 1;
     count_.coarse += grains == Grains::coarse ? 1 : 0;

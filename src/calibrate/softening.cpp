@@ -15,6 +15,7 @@ namespace {
 
 constexpr double least_change = 0.01;  // of E, and to nu, that is none
 constexpr double softening_step = 0.65;
+// nu = 0 lies at the end of the box of k_s/k_n: a tenth is left to the direct solution.
 constexpr double most_nu = 0.9;  // share of nu that an addition may take away
 
 double number(const TestResult& result, const char* name) {
@@ -62,6 +63,7 @@ Softenings softenings_of(const TestsToRead& read, Simulator& simulator) {
       unbroken.push_back(as_for_moduli(recipes.back(), read.model));
     }
   const std::vector<TestResult> results = simulator.test(recipes);
+  // One-sided as the press is: contacts that pull would count as softening what is none.
   const std::vector<ElasticResult> solutions = simulator.elastic(unbroken, Statics::one_sided);
   Softenings mean;  // over packings: of the factor the geometric one
   for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -115,6 +117,7 @@ Evidence at_small_strain(const Evidence& evidence, const Softenings& softenings)
   for (Target& t : targets) {
     const Softening s = softening_at(softenings, test_of_cell(t));
     if (t.property == Property::E) t.mean /= s.factor, t.sd /= s.factor;
+    // The scatter of nu stays: an addition does not widen it.
     if (t.property == Property::nu) t.mean -= std::min(s.addition, most_nu * t.mean);
   }
   return Evidence(evidence.rock, std::move(targets));

@@ -32,6 +32,7 @@ double misfit_as_read(const StageTask& task, const ElasticFit& moduli, const Sof
   int n = 0;
   for (std::size_t i = 0; i < moduli.comparisons.size(); ++i) {
     const Target& t = task.evidence.moduli[i];
+    // nu may have given way for E, so that E alone says which pass is nearest.
     if (t.property != Property::E) continue;
     const double E = moduli.comparisons[i].mean * softening_at(measured, test_of_cell(t)).factor;
     squares += std::pow(E / t.mean - 1.0, 2), ++n;
@@ -67,6 +68,7 @@ void fit_strengths(const StageTask& task, const ElasticFit& moduli, Strengths& f
                     {task.options.max_tests - tests_beside_search(task.evidence, read), task.options.effort},
                     task.simulator,
                     task.options.listener};
+  // Without a modulus to be read in tests the moduli stay, and rounds cost no solutions.
   if (read) search.refit = [&](const Softenings& s) { return refitted(task, s, found.moduli); };
   task.method().fit_strengths(search, found.fit);
 }
@@ -75,7 +77,6 @@ void fit_strengths(const StageTask& task, const ElasticFit& moduli, Strengths& f
 /// damped, and the best of them is taken. Where one measurement is all that can be paid (or the specimens are
 /// so large that the search takes coarse grains) the moduli follow it once, unmeasured.
 Strengths with_measured_softening(const StageTask& task, Strengths found) {
-  constexpr int most_passes = 4;
   const Evidence& evidence = task.evidence;
   const std::vector<std::int64_t> packings(task.packings.fit.begin(), task.packings.fit.begin() + n_softened);
   const std::vector<Target> tests = tests_to_read(evidence);
@@ -83,13 +84,14 @@ Strengths with_measured_softening(const StageTask& task, Strengths found) {
              reserved = tests_per_packing(evidence, true) * verification_packings;
   Strengths nearest;
   double least_misfit = std::numeric_limits<double>::infinity();
-  for (int pass = 1; pass <= most_passes; ++pass) {
+  for (int pass = 1; pass <= most_softenings; ++pass) {
     task.options.listener.begins({FindingKind::course_softening});
     const Softenings measured = softenings_of(
         {found.fit.recipe, evidence.rock.model, tests, packings, evidence.rock.E_is}, task.simulator);
     if (measured.empty()) break;
     const Softenings used = std::exchange(found.fit.softenings, measured);
     if (const double misfit = misfit_as_read(task, found.moduli, measured); misfit < least_misfit)
+      // Kept with the softening that was measured on these very moduli: only then E as read is known.
       nearest = found, least_misfit = misfit;
     if (settled(used, measured)) break;
     const bool again = task.spent() + n + reserved <= task.options.max_tests && !has_coarse(found.fit.recipe);

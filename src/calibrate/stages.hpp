@@ -42,6 +42,9 @@ struct Strengths {
 /// `found`: empty; where the user stops, it holds what was known.
 void fit_strengths(const StageTask& task, const ElasticFit& moduli, Strengths& found);
 
+/// Measurements of what tests make of the moduli, at most.
+constexpr int most_softenings = 4;
+
 /// With what tests make of the moduli measured at the estimate, and the moduli that follow from it, in turn
 /// until E as it is read is settled.
 Strengths with_measured_softening(const StageTask& task, Strengths found);

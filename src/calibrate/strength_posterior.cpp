@@ -17,6 +17,7 @@ using verdict::tolerance;
 
 namespace {
 
+// The second half of 600 sweeps, every fifteenth of them: 20 states of 64 walkers are 1,280 draws.
 constexpr int n_starts = 2048, n_walkers = 64, n_sweeps = 600, thin = 15;
 constexpr double usual_ratio = 2.2;  // largest UCS over sigma_c
 // What a packing does to one strength in compression, and to another at another angle: the correlation. Over
@@ -86,6 +87,7 @@ Point StrengthPosterior::held(Point x) const {
 void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& recipe) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     maps::PriorMean now = maps::prior_strength(evidence, recipe, targets_[i]);
+    // Otherwise a batch of tests would be lost whenever the moduli move by some per cent.
     for (SurrogateRun& run : runs_[i]) run.y += now.value(run.z) - prior_[i].value(run.z);
     prior_[i] = std::move(now);
   }
@@ -186,6 +188,7 @@ double StrengthPosterior::log_prior(const Point& x) const {
 
 double StrengthPosterior::common_variance(std::size_t target, double variance) const {
   if (!errors_count_ || !is_compressive(targets_[target].property)) return 0.0;
+  // Never more than the whole variance, which many runs near a point may have brought below this share.
   return common_share * std::min(models_[target].packing_variance(), variance);
 }
 
@@ -207,6 +210,7 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
       // no squares: a row that cannot be met must not decide for the others
       expected += std::sqrt((m.error * m.error + m.variance) / m.scatter);
       Beyond& b = here[m.property];
+      // Squared misses beyond what scatter and ignorance explain: on average zero where the model is right.
       b.sum += m.error * m.error - m.variance - m.scatter, ++b.n;
     }
     if (expected < least) least = expected, beyond = std::move(here);
@@ -271,12 +275,15 @@ std::vector<Point> StrengthPosterior::spread_points(int n) const {
 double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const {
   double weight = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
+    // Under a stress on the sides strength is not proportional to sigma_c, and has no best value in closed
+    // form.
     if (i == left_out || targets_[i].confining > 0.0) continue;
     const Surrogate::Value f = response(x, i);
     const double w = 1.0 / (f.variance + (scatter_of(i) + discrepancy(targets_[i].property)));
     weight += w, sum += w * (std::log(targets_[i].mean) - f.mean);
   }
   if (weight == 0.0) return likeliest_sigma(x, left_out);
+  // Just inside: a walker that begins where the density is zero may stay there.
   return std::clamp(sum / weight, box(matrix_sigma_c).low + 1e-6, box(matrix_sigma_c).high - 1e-6);
 }
 
@@ -297,6 +304,8 @@ std::vector<Point> spread_draws(const Point& first, const std::vector<Point>& dr
   while (chosen.size() < n) {
     double furthest = -1.0;
     const Point* next = &draws.front();
+    // The draw that is farthest from all chosen: draws crowd where they are likely, and would teach one place
+    // again and again. Ratios alone count, since sigma_c costs no run.
     for (const Point& x : draws) {
       double nearest = infinity;
       for (const Point& c : chosen)

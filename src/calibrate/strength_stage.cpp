@@ -118,6 +118,7 @@ std::pair<double, double> interval_of(std::vector<double> values) {
 Estimate with_interval(Estimate e, double value, const std::vector<double>& logs, const LogBox& box) {
   const auto [from, to] = interval_of(logs);
   e.value = value, e.box_low = std::exp(box.low), e.box_high = std::exp(box.high);
+  // The estimate comes from least squares and not from the draws: it may lie beyond 97.5 % of them.
   e.low = std::min(value, std::exp(from)), e.high = std::max(value, std::exp(to));
   e.determined = box.narrowed_to(to - from);
   return e;
@@ -185,11 +186,13 @@ struct Predictor {
   Comparison row(const Target& t, std::size_t i, bool left_out) const {
     const Discrepancy::Term term = discrepancy.of(i);
     const StrengthResidual& own = residuals[i];
+    // Draws differ by what is unknown of the parameters. About each, the rock lies by what the model misses.
     const double sd = std::sqrt(term.variance + (left_out ? own.noise : 0.0));
     std::vector<double> logs;
     for (std::size_t k = 0; k < own.of_draws.size(); ++k)
       logs.push_back(std::log(t.mean) - own.of_draws[k] + discrepancy.of_draw(term, k) +
                      sd * normal(sampler_seed, Stream::calibration, static_cast<std::uint32_t>(k),
+                                 // Apart from the numbers that move the walkers, which count from 0.
                                  static_cast<std::uint32_t>(i), 1000U));
     const auto [low, high] = interval_of(logs);
     const double model = std::log(t.mean) - own.value, centre = model + term.mean;
@@ -251,10 +254,14 @@ class StrengthSearch {
 
   void run() {
     const std::size_t n_planned = plan_.batches.size();
+    // The first batch is not spread over the box, most of which the maps exclude already.
     learn(0);  // from the prior mean alone
     for (std::size_t b = 0; b < plan_.batches.size(); ++b) {
       const Point at = estimate_;
+      // Against what was predicted before: the surrogates learn the batch only afterwards.
       const double surprise = run_batch(b);
+      // Without one answer a target's surrogate is the map's expectation, and a fit to it would only look
+      // like one.
       if (!posterior_.without_runs().empty()) return report_silent();
       if (task_.refit) refit_moduli();
       learn(b + 1);
@@ -298,6 +305,7 @@ class StrengthSearch {
 
   void learn(std::size_t n_batches) {
     posterior_.learn();
+    // Other numbers after every batch, and the same in every run.
     draws_ = posterior_.draws_with_discrepancy(sampler_seed + static_cast<std::uint32_t>(n_batches));
     estimate_ = best_estimate(posterior_, draws_);
     const std::vector<Estimate> known = estimates_of(posterior_, draws_, estimate_);
@@ -313,6 +321,8 @@ class StrengthSearch {
           design.grains == Grains::coarse ? coarse(fit_.recipe) : fit_.recipe, design.points[p]);
       for (std::size_t i = 0; i < targets_.size(); ++i)
         recipes.push_back(tests_.of(point, i, task_.seeds[design.packings[p]], loading(),
+                                    // A specimen that is weaker than the table would break within the fast
+                                    // approach.
                                     std::exp(posterior_.predict(design.points[p], i).mean)));
     }
     return recipes;
@@ -423,6 +433,7 @@ class StrengthSearch {
   }
 
   void report() {
+    // From here on only intervals are asked for: the estimate stays the one that was tried.
     posterior_.use_full_errors();
     draws_ = final_draws(posterior_, sampler_seed + static_cast<std::uint32_t>(plan_.batches.size()));
     fit_.recipe = posterior_.recipe_at(fit_.recipe, estimate_);
@@ -451,6 +462,7 @@ class StrengthSearch {
       return [&](std::size_t i) {
         const std::vector<Point> others =
             posterior_.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
+        // By least squares as the estimate itself: predicting by the mean of draws would test another method.
         const Point without = best_estimate(posterior_, others, i);
         fit_.left_out[i] = Predictor(posterior_, others, without, i).row(targets_[i], i, true);
       };

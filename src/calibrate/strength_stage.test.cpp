@@ -70,7 +70,7 @@ TEST(StrengthStage, RecoversTheNoiseFreeResponseOfUnknownRocks) {
 }
 
 TEST(StrengthStage, ParameterIntervalsHoldTheTruthAndOpenOnesAreSaidToBeOpen) {
-  int inside = 0, n = 0, open = 0;
+  int inside = 0, open = 0;
   for (const auto& [rock, f] : cases()) {
     ASSERT_EQ(f.parameters.size(), 9U);
     const MatrixRecipe& m = rock.matrix;
@@ -82,11 +82,13 @@ TEST(StrengthStage, ParameterIntervalsHoldTheTruthAndOpenOnesAreSaidToBeOpen) {
       const ParameterEstimate& e = f.parameters[i];
       EXPECT_LE(e.low, e.value) << e.symbol;
       EXPECT_GE(e.high, e.value) << e.symbol;
-      inside += e.low <= values[i] && values[i] <= e.high ? 1 : 0, ++n;
+      inside += e.low <= values[i] && values[i] <= e.high ? 1 : 0;
       open += e.determined ? 0 : 1;
     }
   }
-  EXPECT_GE(inside, n - 4);
+  // Of 27. Ten such rocks hold 76 and 73 of 90 by two chains of draws (measured/statistics.csv), and three of
+  // them scatter by two or three. Intervals half as wide would hold half.
+  EXPECT_GE(inside, 19);
   EXPECT_GE(open, 3);  // UCS alone cannot tell the friction of the matrix from its strength
 }
 
@@ -230,7 +232,7 @@ TEST(StrengthStage, OnlyRatiosThatDifferAreListed) {
     values.emplace_back(Property::brazilian, theta, PaperPress::splitting(rock));
   }
   const Calibration c = calibrate(Evidence(rock_of(values, true)), {}, press);
-  ASSERT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  ASSERT_TRUE(misses_table(c.verdict.status));
   int listed = 0, agreeing = 0;
   for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
     double lab = 1.0, model = 1.0;

@@ -81,6 +81,8 @@ double slow_speed(const Recipe& recipe, const Target& target, double strain) {
                              ? recipe.matrix.modulus()
                              : strain_times_modulus(recipe, target) / strain;
   const double wave = std::sqrt(modulus / recipe.matrix.density);
+  // The height cancels: it is the way of the wave and the length that is strained. Two platens share the
+  // speed.
   return 0.5 * strain * wave / test_of(target.property).peak_of_value.wave_transits;
 }
 
@@ -175,6 +177,7 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
     speeds_.push_back(slow_speed(recipe, targets_[i], strains_[i]));
   for (std::size_t i = 0; i < targets_.size(); ++i) {  // what is read on the way has no test of its own
     if (!measured(targets_[i].property).read_in) continue;
+    // An approach would jump over sigma_ci, which lies well below the peak.
     const std::size_t test = place_of(targets_, targets_[i]);
     strains_[i] = strains_[test], speeds_[i] = speeds_[test];
     reads_before_[i] = reads_before_[test] = true;
@@ -212,6 +215,7 @@ double modulus_of(const TestResult& result, Property property, ModulusReading re
     case ModulusReading::tangent_50:
     case ModulusReading::average: return number_of(result, "E_tangent");
     case ModulusReading::secant_50: return number_of(result, "E_secant");
+    // The curve's own stress: under confinement the platens bring on sigma_1 - sigma_3, not sigma_1.
     case ModulusReading::secant_at_peak:
       return number_of(result, test_of(property).curve.strength) / number_of(result, "peak_strain");
     case ModulusReading::small_strain: return number_of(result, "E_small");
@@ -226,6 +230,7 @@ Recipe coarse(Recipe r) {
       std::llround(static_cast<double>(r.packing.n_grains) / (coarse_factor * coarse_factor));
   for (BeddingRecipe& b : r.bedding) {
     b.spacing *= coarse_factor, b.zone_thickness *= coarse_factor, b.offset *= coarse_factor;
+    // Stiffness times spacing is a modulus, which has to stay while the spacing grows.
     b.k_n /= coarse_factor, b.k_s /= coarse_factor;
   }
   return r;
@@ -250,6 +255,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
   const double largest = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
   TestRecipe& test = recipe.test;
   if (std::isfinite(slowest)) test.platen_speed = slowest, test.max_strain = largest_strain(largest);
+  // Shorter windows took a first small maximum of soft joints for the peak (docs/decisions/0004).
   test.stop_at = 0.8, test.post_peak = 1.0;
   test.pre_strain = test.approach_strain = test.approach_speed = 0.0;  // what the Loading of each test says
   test.n_snapshots = 0, test.n_frames = 0;
@@ -275,6 +281,7 @@ Recipe TestSeries::recipe_of(std::size_t target, std::int64_t packing) const {
   const bool first = packing == first_packing_;
   const double foreseen = first || loadings_.foreseen.empty() ? infinity : loadings_.foreseen[target];
   Recipe test = tests_.of(recipe_, target, packing, first ? loadings_.first : loadings_.others, foreseen);
+  // Pictures are for the eye, and one specimen shows what all would; frames take far more memory than curves.
   if (!first || test.test.kind != TestKind()) test.test.n_snapshots = test.test.n_frames = 0;
   return test;
 }
@@ -312,6 +319,8 @@ std::vector<Comparison> TestSeries::moduli(ModulusReading reading) const {
       return t;
     };
     const std::span<const TestResult> all(results_[i]);
+    // A farther approach ends within the range that E is read in: the change of speed would bend the curve
+    // there.
     const auto read = all.first(approach_[i].back() > approach_[i].front() ? 1 : all.size());
     rows.push_back(over_packings(without_value(Property::E), read, "E_tangent",
                                  [&](const TestResult& r) { return modulus_of(r, property, reading); }));

@@ -83,6 +83,7 @@ Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, maps::PriorMean prio
   const Shared shared(runs, response);
   double best = -std::numeric_limits<double>::infinity();
   std::pair<double, double> chosen{1.0, 1.0};
+  // A grid over the whole prior: a descent could end in a side maximum, and thirty runs cost next to nothing.
   for (const double factor : {0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6})
     for (const double scatter : {0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
       const double prior = -0.5 * square(std::log(factor) / response_spread) -
@@ -91,18 +92,22 @@ Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, maps::PriorMean prio
         best = density, chosen = {factor, scatter};
     }
   learn(y, shared, chosen.first, chosen.second);
+  // Of fine grains, whatever the runs were on: it is their mean that is predicted.
   scatter_variance_ = square(chosen.second) * (square(packing_fine) + square(run_fine));
   std::set<int> packings;
   for (const SurrogateRun& run : runs)
     if (!run.coarse) packings.insert(run.packing);
   if (!packings.empty())
     packing_variance_ = square(chosen.second * packing_fine) / static_cast<double>(packings.size());
+  // The inverse once: walkers ask for the variance hundreds of thousands of times, and products vectorise
+  // where substitution does not.
   whitener_ = factor_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n)).transpose();
 }
 
 double Surrogate::learn(const VectorXd& y, const Shared& shared, double response, double scatter) {
   response_ = response;
   const MatrixXd K = square(response) * shared.response + shared.coarse + square(scatter) * shared.scatter;
+  // Positive definite, also with the same point twice: every run has its own scatter on the diagonal.
   const Eigen::LLT<MatrixXd> cholesky(K);
   factor_ = cholesky.matrixL();
   weights_ = cholesky.solve(y);
@@ -117,6 +122,7 @@ Surrogate::Value Surrogate::at(std::span<const double> z) const {
   double known = 0.0;
   for (Eigen::Index i = 0; i < k.size(); ++i)
     known += square(whitener_.col(i).head(i + 1).dot(k.head(i + 1)));
+  // Rounding may leave a little less than nothing.
   return {prior_.value(z) + k.dot(weights_), std::max(0.0, prior - known)};
 }
 

@@ -33,6 +33,7 @@ std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<dou
   };
   const std::vector<Comparison> first = pressed({seeds.front()}, nullptr);
   for (std::size_t i = 0; i < strengths.size(); ++i)
+    // One specimen is enough for a speed; without a peak the guess stays.
     if (std::isfinite(first[i].mean)) strengths[i].mean = first[i].mean;
   std::vector<Comparison> read;  // E and nu of each angle in turn
   const std::vector<Comparison> ucs = pressed(seeds, at_small_strain ? nullptr : &read);

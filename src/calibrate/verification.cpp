@@ -20,6 +20,7 @@ constexpr double modulus_change = 0.05;  // of E from small strain to half of UC
 void soften(Comparison& c, const Softening& s) {
   const bool modulus = c.target.property == Property::E;
   for (double* v : {&c.mean, &c.low, &c.high}) *v = modulus ? *v * s.factor : *v + s.addition;
+  // Packings scatter in E by the same share before and after; to nu only an addition comes.
   if (modulus) c.sd *= s.factor;
 }
 
@@ -32,7 +33,8 @@ void add_tangents(Verified& v, const Moduli& moduli, const std::vector<Compariso
     if (p.target.confining == 0.0 && row_of(v.rows, p.target) != nullptr) read.push_back(p);
   if (read.empty()) return;
   const auto on_several = [](const Comparison& c) { return c.n_packings > 1; };
-  const std::vector<Comparison>& solved =  // on the packings of these tests
+  // Tests and solutions of the same specimens: between packings E may differ by more than tests change it.
+  const std::vector<Comparison>& solved =
       std::any_of(read.begin(), read.end(), on_several) ? v.rows : moduli.first;
   std::vector<double> changes;  // of E, logarithms
   for (Comparison& c : read) {
@@ -78,6 +80,7 @@ bool takes_more_packings(const StageTask& task, const Recipe& recipe, const std:
       has_coarse(recipe))
     return false;
   const std::int64_t n = tests_per_packing(task.evidence, task.scope.read_in_tests) * verification_packings;
+  // Said only where more were wanted: whoever lets it run longer gains something then.
   if (task.spent() + n <= task.options.max_tests) return true;
   v.notes.push_back({FindingKind::packings_wanted, {}, {}, {}, Advice::more_tests});
   return false;
@@ -108,6 +111,7 @@ UnseenTests run_unseen(const StageTask& task, const StrengthFit& fit, const Pict
         {FindingKind::course_unseen, {}, {{"packings", static_cast<double>(v.n_packings)}}});
     series.take(next);
     unseen.strengths = series.strengths();
+    // Behind the table's strengths stand tests that moduli alone are read in.
     unseen.strengths.resize(evidence.strengths.size());
     if (!takes_more_packings(task, fit.recipe, unseen.strengths, v)) break;
     next = seeds_from(more, verification_packings);
@@ -151,6 +155,7 @@ Verified verified(const StageTask& task, const Moduli& moduli, const Strengths& 
   Verified v = verified(moduli);
   const Recipe& recipe = strengths.fit.recipe;
   const bool read = task.scope.read_in_tests;
+  // The moduli were fitted anew since the elastic stage looked at these packings.
   if (read)
     v.rows = elastic_response(as_for_moduli(recipe, task.evidence.rock.model), task.evidence.moduli,
                               task.packings.unseen, task.simulator);

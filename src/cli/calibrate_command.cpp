@@ -21,18 +21,21 @@ namespace {
 
 /// How to go on with what was stopped.
 std::string resume_command(jobs::CalibrationRequest args) {
+  // The rest of the request stays: --resume refuses a folder whose options differ from what is asked now.
   args.resume = true;
   return command_of(jobs::command_line_of(args));
 }
 
 /// What is known before anything runs.
 void print_table(const Evidence& evidence, const std::string& file, int width) {
+  // Doubts stand above the table: a typing error found now saves the hours of a calibration to a wrong value.
   const std::vector<Finding> doubts = survey::doubts_about(evidence);
   for (const std::string& doubt : report::sentences(doubts)) print_wrapped(width, 2, "{}\n", doubt);
   if (!doubts.empty()) print_out("\n");
   print_wrapped(width, 10, "rock      {} ({})\n", evidence.rock.name, file);
   print_notes(evidence.rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, evidence.rock.bedded, width));
+  // The first packing takes minutes; meanwhile a pipe should show how the table was read.
   flush_out();
 }
 
@@ -44,9 +47,12 @@ void print_result(const Calibration& result, const study::WorkReport& work, int 
 }
 
 int run_calibration(const jobs::CalibrationRequest& args, const Session& session) {
+  // The job checks options and folder when it is made, so nothing is printed of a request that is refused.
   jobs::CalibrationJob job(rock::read_rock(args.rock), args);
   const int width = session.terminal_width;
   print_table(job.evidence(), args.rock, width);
+  // No error: a script may give --resume always. But somebody who mistyped --out should see why it starts
+  // afresh.
   if (args.resume && !job.resumes())
     print_wrapped(width, 2, "{} holds no test of an earlier run: the calibration begins afresh.\n", args.out);
   ProgressLine line;
@@ -57,6 +63,7 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   hooks.tests = [&](const calibrate::TestProgress&, const std::string& text) {
     line.show([&](double) { return text; });
   };
+  // Tests run in batches, one report each: the last line tells of all of them.
   hooks.work = [&](const study::WorkReport& some) {
     work.cpu_seconds += some.cpu_seconds, work.lanes.add(some.lanes);
   };
@@ -67,15 +74,18 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
     print_wrapped(width, 2, "to go on: {}\n", resume_command(args));
     return 1;
   }
+  // Only a whole calibration gets a page. Of an interrupted one the page would show half a fit as a result.
   write_report(args.out);
   print_wrapped(width, 2, "calibrated.toml, {}PFC and Yade files, calibration.json and every run in {}\n",
                 result.ensemble.empty() ? "" : fmt::format("{} draws in ensemble, ", result.ensemble.size()),
                 args.out);
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
   flush_out();
+  // Last, because it throws when a specimen could not be written: by then the user has seen the verdict.
   job.finish();
-  const VerdictStatus status = result.verdict.status;
-  return status == VerdictStatus::out_of_reach || status == VerdictStatus::not_calibrated ? 1 : 0;
+  // A calibration with doubts has still an answer. Only one without a usable model counts as failed for
+  // scripts.
+  return misses_table(result.verdict.status) ? 1 : 0;
 }
 
 void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::CalibrationRequest& args) {
@@ -87,6 +97,7 @@ void add_option(CLI::App& verb, const jobs::CalibrationOption& option, jobs::Cal
       verb.add_flag(name, value, option.meaning);
     } else {
       CLI::Option* added = verb.add_option(name, value, option.meaning)->capture_default_str();
+      // From 1: a budget without a test can fit nothing.
       if constexpr (!std::is_same_v<Value, std::string>)
         added->check(CLI::Range(Value{1}, Value{option.most}));
       else if (option.words.empty())

@@ -27,6 +27,7 @@ struct CompareArguments {
 
 /// The one specimen of the folder, of a test whose curve is that of uniaxial compression.
 const SpecimenRecord& the_test(const RunRecord& run, const std::string& folder) {
+  // A foreign curve is one test: which of several specimens it belongs to nobody can guess.
   if (run.tests.size() != 1)
     throw InputError(
         Problem{folder, "", fmt::format("{} specimens", run.tests.size()), "one specimen",
@@ -41,6 +42,7 @@ const SpecimenRecord& the_test(const RunRecord& run, const std::string& folder) 
 }
 
 std::string difference_text(const analysis::ComparedNumber& n) {
+  // A curve may lack what a number needs, such as a lateral strain for Poisson's ratio.
   return std::isfinite(n.difference()) ? fmt::format("{:+.2f} %", 100.0 * n.difference()) : "-";
 }
 
@@ -61,6 +63,7 @@ void print_table(const std::vector<analysis::ComparedNumber>& numbers, int width
 constexpr double column_width = 90.0;  // [mm] of a journal
 
 /// By the ending of --figure, before anything is read. Throws InputError.
+/// gnuplot writes after both files have been read, so a wrong ending would cost the whole reading.
 auto format_of(const CompareArguments& args) {
   const std::string ending = std::filesystem::path(args.figure).extension().string();
   const auto format = report::figure_formats().find(ending.empty() ? ending : ending.substr(1));
@@ -73,8 +76,10 @@ auto format_of(const CompareArguments& args) {
 void draw(const CompareArguments& args, const History& ours, const History& theirs) {
   make_file_or_stop(args.figure, [&](const std::string& temporary) {
     const report::Figure figure =
+        // The legend shows the file name alone: a path would not fit into the width of a column.
         report::two_curves_figure(ours, theirs, std::filesystem::path(args.theirs).filename().string());
-    const std::string script = report::gnuplot_script(figure, format_of(args), column_width, temporary);
+    const std::string script =
+        report::gnuplot_script(figure, {format_of(args), column_width, 0.0, temporary});
     io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   print_out("{}\n", args.figure);
@@ -88,6 +93,8 @@ int compare(const CompareArguments& args, const Session& session) {
   const RunRecord run = io::read_run(args.folder);
   const SpecimenRecord& test = the_test(run, args.folder);
   const History& ours = test.result.history;
+  // Both curves are cut by the same rule: a laboratory that presses on would else have other strains at the
+  // end.
   const analysis::StopRule stop{test.recipe.test.stop_at, test.recipe.test.post_peak};
   print_wrapped(width, 10, "ours      {}, {} ({} rows)\n", test.recipe.name, test.result.name,
                 ours.rows.size());
@@ -95,6 +102,7 @@ int compare(const CompareArguments& args, const Session& session) {
   print_notes(theirs.notes, width);
   print_table(analysis::compared_numbers(ours, theirs.history, stop), width);
   const double distance = analysis::distance_of_curves(ours, theirs.history, stop);
+  // Curves without a common range of strain have no distance, and the table above says so already.
   if (std::isfinite(distance))
     print_wrapped(
         width, 2,

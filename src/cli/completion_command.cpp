@@ -16,6 +16,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+// Bash hands over the name as typed, so ~/bin/phyllite needs its tilde expanded before it can be called. With
+// the option filenames bash quotes spaces, but also marks folders with a slash: hence only where words have
+// spaces.
 constexpr const char* bash_script =
     R"(# bash completion of phyllite: the program itself knows its verbs, options and their values.
 _phyllite() {
@@ -41,6 +44,9 @@ _phyllite() {
 complete -F _phyllite phyllite
 )";
 
+// Zsh keeps quotes in its words, which (Q) removes, and parts a word from its meaning by a colon. compset
+// hides "--out=" from _files, which would else look for a file of that name. The last line serves both ways
+// to load it: autoloaded from fpath, or sourced.
 constexpr const char* zsh_script = R"(#compdef phyllite
 # zsh completion of phyllite: the program itself knows its verbs, options and their values.
 _phyllite() {
@@ -61,6 +67,8 @@ _phyllite() {
 if [[ $funcstack[1] == _phyllite ]]; then _phyllite "$@"; else compdef _phyllite phyllite; fi
 )";
 
+// Fish parts word and meaning by a tab. -f keeps it from offering files everywhere: the program says where
+// they belong.
 constexpr const char* fish_script =
     R"(# fish completion of phyllite: the program itself knows its verbs, options and their values.
 function __phyllite_complete
@@ -87,8 +95,10 @@ struct Offer {
   Words words;
 };
 
+// Descriptions of --kind and its like go on for many lines, and an answer has one line per word.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+// Filtered here, because bash shows what it is given whether it begins as typed or not.
 void add(Offer& offer, const std::string& word, const std::string& typed, const std::string& meaning = "") {
   if (word.starts_with(typed))
     offer.words.push_back(word + (meaning.empty() ? "" : "  " + first_line(meaning)));
@@ -103,6 +113,7 @@ Words listed(std::string text) {
 /// The words that are an option's values, or that are suggested for it.
 Words words_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
+  // CLI11 appends the description of a check to the name of the type, such as "TEXT:{svg,pdf}".
   if (const std::size_t set = type.find(":{"); set != type.npos) return listed(type.substr(set + 1));
   try {
     // The library has no const way to ask for a validator.
@@ -123,6 +134,7 @@ void add_values(Offer& offer, const CLI::Option& option, const std::string& type
 
 /// "--out" or "-h", of a verb or of those above it; nullptr: it has none of that name.
 const CLI::Option* find_option(const CLI::App* verb, const std::string& name) {
+  // Options of the program may stand behind the verb, as the parser lets them fall through.
   for (; verb != nullptr; verb = verb->get_parent())
     if (const CLI::Option* option = verb->get_option_no_throw(name); option != nullptr) return option;
   return nullptr;
@@ -135,6 +147,7 @@ const CLI::App* find_verb(const CLI::App& of, const std::string& name) {
 }
 
 /// Where on the command line the word stands that is to be completed.
+// The parser itself cannot be asked: it throws at the first unfinished word.
 struct Place {
   const CLI::App* verb;
   const CLI::Option* value_of = nullptr;  ///< the option before it, which takes a value
@@ -150,10 +163,12 @@ void pass(Place& place, const std::string& word) {
     place.options_end = true;
   } else if (!place.options_end && word.starts_with("-")) {
     const CLI::Option* option = find_option(place.verb, word.substr(0, word.find('=')));
+    // An option that is misspelt ends nothing: what comes behind it can still be completed.
     if (option == nullptr) return;
     place.given.insert(option);
     if (option->get_items_expected_max() > 0 && word.find('=') == word.npos) place.value_of = option;
   } else if (const CLI::App* verb = find_verb(*place.verb, word); verb != nullptr) {
+    // A verb of a verb has arguments of its own.
     place.verb = verb, place.n_arguments = 0;
   } else {
     ++place.n_arguments;
@@ -177,8 +192,10 @@ void add_options(Offer& offer, const CLI::App& app, const Place& place, const st
   std::vector<const CLI::Option*> options =
       place.verb->get_options([](const CLI::Option* o) { return o->nonpositional(); });
   for (const CLI::Option* option : app.get_options())
+    // --help is every verb's own; --version and --licences of the program make no sense behind a verb.
     if (place.verb != &app && option->get_items_expected_max() > 0) options.push_back(option);
   for (const CLI::Option* option : options)
+    // What was given once takes no second value, so an offer would only lengthen the list.
     if (!place.given.contains(option) || option->get_expected_max() > 1)
       for (const std::string& name : option->get_lnames())
         add(offer, "--" + name, typed, option->get_description());
@@ -187,6 +204,7 @@ void add_options(Offer& offer, const CLI::App& app, const Place& place, const st
 Offer complete(const CLI::App& app, const Words& words) {
   Place place{&app, nullptr, 0, false, {}};
   for (std::size_t i = 0; i + 1 < words.size(); ++i) pass(place, words[i]);
+  // The last word is being typed, so it says nothing yet about those before it.
   const std::string typed = words.empty() ? "" : words.back();
   Offer offer;
   if (place.value_of != nullptr) {
@@ -201,8 +219,8 @@ Offer complete(const CLI::App& app, const Words& words) {
     const auto verbs = place.verb->get_subcommands([](const CLI::App*) { return true; });
     for (const CLI::App* verb : verbs) add(offer, verb->get_name(), typed, verb->get_description());
     const CLI::Option* argument = argument_at(place);
-    if (argument != nullptr)
-      add_values(offer, *argument, typed);
+    if (argument != nullptr) add_values(offer, *argument, typed);
+    // Nothing else can follow: then options are the only help, even before a dash is typed.
     else if (verbs.empty() && !place.options_end)
       add_options(offer, app, place, typed);
   }
@@ -211,10 +229,12 @@ Offer complete(const CLI::App& app, const Words& words) {
 
 /// Bash takes "--kind=rose" for three words, keeps quotes, and wants of the last word what follows the "=".
 Offer complete_for_bash(const CLI::App& app, Words words) {
+  // An open quote or a backslash before a space is bash's, and no part of a name that can begin as typed.
   std::erase_if(words.back(), [](char c) { return c == '\\' || c == '"' || c == '\''; });
   const auto is_value = [](const Words& w) {
     return w.size() > 2 && w[w.size() - 2] == "=" && w[w.size() - 3].starts_with("--");
   };
+  // The cursor stands right behind "--kind=": the value exists and is empty.
   if (words.back() == "=") words.emplace_back();
   Words whole;
   for (const std::string& word : words) {
@@ -240,6 +260,7 @@ Words keys_of(const std::vector<const io::Schema*>& schemas) {
   Words keys;
   for (const io::Schema* schema : schemas)
     for (const Field& field : schema->fields)
+      // Keys in quotes stand for any word of their kind, such as the header of a column: nothing to offer.
       if (field.key.find('"') == field.key.npos) keys.push_back(field.path());
   return keys;
 }
@@ -259,6 +280,7 @@ void add_completion_command(CLI::App& app, Session& session) {
                    "of a command line, the last one unfinished: what the script asks for, behind --");
   verb->callback([args, &app, &session] {
     session.exit_code = 0;
+    // The script itself is asked for without words; it hands over at least the empty one being typed.
     if (args->words.empty())
       return write_out(args->shell == "bash" ? bash_script : args->shell == "zsh" ? zsh_script : fish_script);
     const Offer offer =

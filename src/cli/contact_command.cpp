@@ -27,6 +27,7 @@ std::vector<std::string> names_of_laws() {
   return names;
 }
 
+/// Typical values and PFC's names: users come with a PFC model, and would search the manual for both.
 void explain_laws(int width) {
   for (const lab::LawInfo& law : lab::law_infos()) {
     print_wrapped(width, 2, "{}: {}\n", law.name, law.sentence);
@@ -38,6 +39,7 @@ void explain_laws(int width) {
 
 std::string table(const std::vector<lab::BenchRow>& rows, const std::vector<ContactForces>& exact) {
   std::string text =
+      // Per metre of thickness, as the model has two dimensions; moments are N m per m, hence N.
       "step,closure [m],slide [m],rotation [rad],F_n [N/m],F_s [N/m],M [N],F_n exact [N/m],F_s exact [N/m],"
       "M exact [N],dissipated [J/m],released [J/m],stored [J/m],broke\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -53,6 +55,8 @@ std::string table(const std::vector<lab::BenchRow>& rows, const std::vector<Cont
 }
 
 std::string summary(const std::vector<lab::BenchRow>& rows, const std::vector<ContactForces>& exact) {
+  // Absolute differences beside the largest value: a relative one would be infinite where a force passes
+  // zero.
   ContactForces off, most;
   const auto widen = [](double& a, double b) { a = std::max(a, std::fabs(b)); };
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -68,6 +72,7 @@ std::string summary(const std::vector<lab::BenchRow>& rows, const std::vector<Co
 }
 
 void contact(const ContactArguments& args, int width) {
+  // Without a law there is nothing to drive, but the first question is which ones there are.
   if (args.law.empty()) return explain_laws(width);
   const lab::LawInfo& law = jobs::find_law(args.law);
   std::vector<Problem> problems;
@@ -77,7 +82,9 @@ void contact(const ContactArguments& args, int width) {
   // All problems of the command line at once.
   if (!args.path.empty()) corners = jobs::read_path(args.path, problems);
   if (!problems.empty()) throw InputError(problems);
+  // A path with slip both ways, opening and rotation, so that the first try already draws something.
   if (corners.empty()) corners = jobs::default_path();
+  // Before the drive: ten million steps are not computed for a file that cannot be written.
   if (!args.out.empty()) io::check_ending(args.out, {".csv", ".txt"}), io::check_outputs({args.out});
   const auto bench = lab::bench_contact(law.name, v);
   const std::vector<lab::BenchRow> rows = lab::drive(*bench, corners, args.steps);
@@ -103,6 +110,7 @@ void add_contact_command(CLI::App& app, Session& session) {
   verb->add_option("law", args->law, "name of a law; without one, all laws and their parameters are listed")
       ->type_name("LAW")
       ->check(suggested(names_of_laws));
+  // One value per --set: otherwise CLI11 would swallow the word behind it as another parameter.
   verb->add_option("--set", args->values, "a parameter: --set \"k_n=38e9 N/m\"")->allow_extra_args(false);
   verb->add_option("--to", args->corners, "next corner of the path: --to \"1 um, 8 um, 0 deg\"")
       ->allow_extra_args(false);

@@ -47,9 +47,11 @@ void print_moduli(const study::ElasticStudy& study, int width) {
   };
   using R = const ElasticResult&;
   const auto open = [](R r) {
+    // A specimen that failed before its contacts were found has none: 0 %, not 0/0.
     return 100.0 * static_cast<double>(r.n_open) /
            static_cast<double>(std::max<std::int64_t>(1, r.n_contacts));
   };
+  // NaN where the solution failed: the reason stands below the table.
   const auto number = [](double v, int digits) {
     return std::isfinite(v) ? fixed(v, digits) : std::string("-");
   };
@@ -86,6 +88,7 @@ bool print_outcomes(const study::ElasticStudy& study, int width) {
     }
   }
   const ElasticOutcome& intact = study.intact().outcome;
+  // An answer may carry a reservation, which would be lost among those without one.
   if (study.has_intact() && intact.ok() && !intact.reason.empty())
     print_wrapped(width, 2, "intact: {}\n", intact.reason);
   return all_solved;
@@ -96,6 +99,7 @@ void print_missing(const std::vector<study::NamedFit>& fits, int width) {
   std::vector<std::string> missing;
   for (const study::NamedFit& f : fits)
     if (!f.fit.ok()) add_line(missing, f.name, "no fit: " + f.fit.reason);
+  // Without a fit the row has dashes; the reason does not fit into a column.
   for (const std::string& line : missing) print_wrapped(width, 2, "{}\n", line);
 }
 
@@ -108,6 +112,7 @@ void print_fits(const study::ElasticStudy& study, bool modulus_loss, int width) 
   }
   // Dispersed joints have no spacing: what Eq. 1 gives is left as it is, K delta.
   const BeddingRecipe& set = study.recipe.bedding[0];
+  // Eq. 1 knows only K times delta: with a spacing, the stiffness of one plane follows.
   const double scale = set.has_planes() ? 1e-9 / set.spacing : 1e-9;
   const char* const per = set.has_planes() ? "GPa/m" : "GPa";
   const std::vector<study::NamedFit> fits =
@@ -117,6 +122,7 @@ void print_fits(const study::ElasticStudy& study, bool modulus_loss, int width) 
                   [&](std::size_t i) { return fits[i].fit.ok() ? cell(fits[i].fit) : std::string("-"); });
   };
   using F = const theory::Eq1Fit&;
+  // Three angles and three unknowns leave no degree of freedom, and so no standard error.
   const auto error = [&](double se) { return std::isfinite(se) ? fixed(se * scale, 1) : std::string("-"); };
   Column label = column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
   label.left = true;
@@ -153,6 +159,7 @@ void print_sensitivities(const study::ElasticStudy& study, int width) {
     return name == "ks_over_kn" ? "both ks_over_kn" : name;
   });
   label.left = true;
+  // Elasticities for the modulus, but absolute changes for nu: near zero a relative one says nothing.
   for (const bool modulus : {true, false}) {
     Columns columns;
     for (std::size_t i = 0; i < results.size(); ++i)
@@ -173,9 +180,11 @@ void print_sensitivities(const study::ElasticStudy& study, int width) {
 }
 
 void print_packing(const study::ElasticStudy& study, int width) {
+  // All specimens share one packing; any of them can speak for it.
   const Packing& p = *study.specimens.back().packing;
   print_wrapped(width, 8, "packing {} discs, porosity {:.4f}, coordination {:.3f}\n", p.discs.size(),
                 p.report.porosity, p.report.coordination);
+  // With locked-in stress contacts are pre-loaded, and which of them open depends on the load.
   if (!p.stress_free)
     print_wrapped(width, 8,
                   "        locked-in stress {:.3f} MPa: the answers hold for axial "
@@ -191,6 +200,7 @@ void print_packing(const study::ElasticStudy& study, int width) {
   const Column theta = column("theta", "deg", study.n_angles(),
                               [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
   Columns bedding;
+  // Bridges and overlap are measured along planes, which dispersed joints do not have.
   if (study.recipe.bedding[0].has_planes())
     bedding = {of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
                of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
@@ -264,6 +274,7 @@ int elastic(const ElasticArguments& args, const Session& session) {
   print_notes(recipe.notes, width);
   print_packing(study, width);
   print_moduli(study, width);
+  // Not a loop that ends at the first failure: moduli of other angles are of use without it.
   bool all_solved = print_outcomes(study, width);
   print_fits(study, args.modulus_loss, width);
   print_sensitivities(study, width);

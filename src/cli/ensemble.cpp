@@ -33,12 +33,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The band of n draws holds the next one with (n - 1)/(n + 1): of a single draw with 0.
 constexpr std::size_t fewest_draws = 2;
 
 /// The draws beside a recipe, each with its test and its settings of the engine.
 std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
   const std::string folder = fs::path(path).parent_path().string();
   std::vector<Recipe> draws;
+  // By number until one is missing, so that draw k is draw k of the discrepancy, too.
   for (std::string file; fs::exists(file = jobs::ensemble_file(folder, draws.size()));) {
     draws.push_back(io::read_recipe(file));
     // The draws differ in the rock alone: test and engine are those of the file that was named.
@@ -69,10 +71,12 @@ std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
 /// What the calibration beside a recipe misses of its table; nothing: it is not there, it fitted no strengths
 /// or is of an earlier version.
 std::optional<calibrate::Discrepancy> read_discrepancy(const std::string& path, std::size_t n_draws) {
+  // The residuals come from the calibration's own file: recomputing them would take all of its tests again.
   const std::string file = (fs::path(path).parent_path() / "calibration.json").string();
   const auto text = io::read_if_file(file, largest_document);
   if (!text) return {};
   calibrate::Discrepancy discrepancy(report::comparisons_of(*text, file).residuals);
+  // A draw without its residuals could have no band of the rock, and a band of the others is another one.
   if (discrepancy.n_draws() < n_draws) return {};
   return discrepancy;
 }
@@ -96,6 +100,7 @@ std::vector<Job> jobs_of(const std::vector<Recipe>& draws, const std::vector<dou
   for (std::size_t k = 0; k < draws.size(); ++k) {
     if (confining.empty())
       for (Recipe& single : study::single_recipes(draws[k])) jobs.push_back({k, nan, std::move(single)});
+    // An envelope replaces the test by a biaxial one; without stresses the recipe's own test runs.
     for (const double sigma_3 : confining)
       for (Recipe& single : study::single_recipes(study::confined_recipe(draws[k], sigma_3)))
         jobs.push_back({k, sigma_3, std::move(single)});
@@ -124,6 +129,7 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   std::vector<TestResult> results;
   try {
     results = simulator->test(recipes);
+    // No error for the user: the store holds what was finished, and the same command goes on.
   } catch (const calibrate::Stopped&) {
     line.finish();
     return false;
@@ -141,11 +147,14 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
 /// misses of. Rock between the layers is none of its tests.
 std::optional<Target> value_of(const Job& job, const Recipe& draw, const std::string& number) {
   const TestKind& kind = job.single.test.kind;
+  // The discrepancy is known per property of a laboratory's table, not per number of a test.
   const auto property = property_of(kind->name, number);
   if (!property || (job.result.intact && layered(draw))) return {};
   Target value;
   value.property = *property;
+  // Without bedding an angle means nothing, and a property along the bedding has none to choose.
   if (layered(draw) && !measured(*property).along_bedding) value.theta = job.result.theta;
+  // Confinement is part of the place in the table: the model may miss more where the rock is confined.
   if (kind->kept_stress.value != nullptr) value.confining = job.single.test.*kind->kept_stress.value;
   return value;
 }
@@ -157,6 +166,7 @@ void add_missed(study::Predictions& numbers, const Job& job, const Recipe& draw,
     const auto value = value_of(job, draw, p.number);
     if (!value || !discrepancy.knows(value->property)) continue;
     const calibrate::Discrepancy::Term term = discrepancy.at(*value);
+    // Each draw has its own misfit: draws that are too strong are corrected downwards, not all by the mean.
     p.missed = discrepancy.of_draw(term, job.draw), p.missed_sd = std::sqrt(term.variance);
   }
 }
@@ -180,6 +190,7 @@ study::Predictions predictions_of(const Tested& tested, std::size_t k) {
     study::Predictions numbers = study::predictions_of(job.result, job.sigma_3);
     if (tested.discrepancy) add_missed(numbers, job, tested.draws[k], *tested.discrepancy);
     for (study::Prediction& p : numbers) all.push_back(std::move(p));
+    // Equality of doubles is safe: each job carries a copy of one of these very stresses.
     const auto at = std::find(confining.begin(), confining.end(), job.sigma_3) - confining.begin();
     if (!confining.empty()) tests.results[static_cast<std::size_t>(at)].push_back(job.result);
     rock = &job.single;
@@ -194,6 +205,7 @@ study::Predictions predictions_of(const Tested& tested, std::size_t k) {
 std::string tests_csv(const std::vector<Job>& jobs) {
   std::vector<std::string> heads;
   const auto head_of = [](const Number& n) { return n.name + " [" + n.unit + "]"; };
+  // Tests of different outcome have different numbers: the table has a column for every one that occurs.
   for (const Job& job : jobs)
     for (const Number& n : job.result.numbers)
       if (std::find(heads.begin(), heads.end(), head_of(n)) == heads.end()) heads.push_back(head_of(n));
@@ -225,6 +237,7 @@ bool print_bands(const std::vector<study::Band>& all, const TableColumn& c, int 
   if (bands.empty()) return false;
   using B = const study::Band&;
   const auto number = [](double value, double scale, int digits) {
+    // A fit that failed in every draw leaves a band without ends.
     return std::isfinite(value) ? fmt::format("{:.{}f}", value * scale, digits) : "-";
   };
   const auto of = [&](const char* head, double study::Band::*value) {
@@ -241,6 +254,7 @@ bool print_bands(const std::vector<study::Band>& all, const TableColumn& c, int 
                       column_of("+-", "%", bands, [&](B b) { return number(b.factor_sd, 100.0, 0); }),
                       of("rock", &study::Band::rock), of("from", &study::Band::rock_low),
                       of("to", &study::Band::rock_high)});
+  // Fits of an envelope belong to all stresses together, and have no such column.
   if (std::any_of(bands.begin(), bands.end(), [](B b) { return std::isfinite(b.place.sigma_3); }))
     groups.front().insert(groups.front().begin(), column_of("sigma_3", "MPa", bands, [&](B b) {
                             return number(b.place.sigma_3, 1e-6, 1);
@@ -258,6 +272,7 @@ std::vector<TableColumn> columns_of(const TestKind& kind, const std::vector<stud
   for (const TableColumn& c : kind->table) {
     const bool rock = std::any_of(bands.begin(), bands.end(),
                                   [&](const study::Band& b) { return b.number == c.number && b.has_rock(); });
+    // Other columns stay in band.csv: a terminal has no room for a band of every number.
     if (rock || c.number == kind->curve.quantity().number || std::string(c.number) == "E_tangent")
       columns.push_back(c);
   }
@@ -270,6 +285,7 @@ const std::vector<TableColumn> columns_of_envelope = {{"sigma_1", "MPa", "sigma_
 
 /// Tests that are in no band: how many of each kind, and the first of them.
 void print_left_out(const std::vector<Job>& jobs, int width) {
+  // One line per kind of failure: twenty draws that fail alike would fill the screen.
   for (const Status status : all_statuses) {
     if (has_strength(status)) continue;
     const auto is = [&](const Job& job) { return job.result.outcome.status == status; };
@@ -326,6 +342,7 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
   const std::vector<Recipe> draws = read_draws(path, recipe);
   const std::string tests = (fs::path(args.out) / "ensemble.csv").string();
   const std::string band = (fs::path(args.out) / "band.csv").string();
+  // Both keep a runs.sqlite: mixed, --resume of the calibration would find tests that are not its own.
   if (fs::exists(fs::path(args.out) / "calibration.json"))
     throw InputError(Problem{"command line", "--out", args.out, "",
                              "it holds a calibration, and tests of an ensemble have a folder of their own. "

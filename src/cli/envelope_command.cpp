@@ -46,10 +46,12 @@ struct EnvelopeArguments {
 
 /// Tests of one stress stand in a folder as `phyllite run` leaves it.
 std::string folder_of(double sigma_3) {
+  // Six digits of {:g}: stresses that differ only beyond would share a folder, which read_stresses refuses.
   return io::folder_name(fmt::format("sigma_3 = {:g} MPa", sigma_3 * 1e-6));
 }
 
 std::vector<double> read_stresses(const std::vector<std::string>& words) {
+  // The range of the recipe's own key, so that the command line and a recipe refuse the same stresses.
   const Field& range = *find_field(recipe_fields(), "test.confining_stress");
   std::vector<double> stresses;
   std::vector<Problem> problems;
@@ -61,10 +63,12 @@ std::vector<double> read_stresses(const std::vector<std::string>& words) {
       problems.push_back({"command line", "--confining", word, range_text(range), ""});
     stresses.push_back(q.value);
   }
+  // Columns rise from left to right, whatever the order in which they were typed.
   std::sort(stresses.begin(), stresses.end());
   const bool twice = std::adjacent_find(stresses.begin(), stresses.end(), [](double a, double b) {
                        return folder_of(a) == folder_of(b);
                      }) != stresses.end();
+  // Only for stresses that could be read: a word without a unit would else be told twice.
   if (problems.empty() && (twice || stresses.size() < 3))
     problems.push_back({"command line", "--confining", fmt::format("{}", fmt::join(words, ", ")),
                         "at least three stresses, each once",
@@ -76,6 +80,7 @@ std::vector<double> read_stresses(const std::vector<std::string>& words) {
 /// NaN where there is no fit.
 template <class Fit>
 double R2_of(const Fit& fit) {
+  // A failed fit leaves R2 at 0, which would read as a bad fit.
   return fit.ok ? fit.R2 : nan;
 }
 
@@ -100,6 +105,7 @@ void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& e
       const Number* n = has_strength(r.outcome.status) ? analysis::find(r.numbers, "sigma_1") : nullptr;
       // A test that has not peaked has a largest stress, which is no strength.
       const bool known = n != nullptr && std::isfinite(n->value);
+      // A knee has no fall behind it: more strain may bring a higher stress.
       const bool knee = known && r.outcome.status == Status::knee;
       knees = knees || knee;
       c.cells.push_back(known ? fmt::format("{:.2f}{}", n->value * 1e-6, knee ? "*" : "") : "-");
@@ -141,6 +147,7 @@ void print_fits(const study::Envelope& envelope, int width) {
                 "+-: standard errors; k: m over m of the planes nearest to across the load (Saroglou & "
                 "Tsiambaos)\n");
   std::vector<std::string> findings;
+  // By kind of finding, not by specimen: add_line joins specimens that have the same reason.
   for (S s : envelope.specimens)
     if (!s.mohr_coulomb.ok) add_line(findings, s.name, "no Mohr-Coulomb envelope: " + s.mohr_coulomb.reason);
   for (S s : envelope.specimens)
@@ -187,9 +194,11 @@ std::string strengths_csv(const study::EnvelopeTests& tests) {
     for (const TestResult& r : tests.results[i]) {
       const bool stored = r.outcome.status != Status::interrupted;
       const auto value = [&](const char* name) {
+        // An interrupted test has the largest stress so far, which a spreadsheet would take for a strength.
         const Number* n = stored ? analysis::find(r.numbers, name) : nullptr;
         return n == nullptr ? std::string() : study::csv_cell(n->value);
       };
+      // A column of its own: envelopes of knees and of peaks must not be fitted together later on.
       const auto rule = stored ? study::rule_of(r) : std::nullopt;
       text += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
                           print_number(tests.confining[i]), value("sigma_1"), value("confinement_error"),
@@ -234,6 +243,7 @@ study::EnvelopeTests run_all(const study::Specimens& specimens, const Recipe& re
     line.show([&](double seconds) { return jobs::progress_text(p, seconds); });
   };
   hooks.on_result = [&](std::size_t i, const TestResult& r) {
+    // What was cut short would stand beside finished tests as if it were one.
     if (r.outcome.status == Status::interrupted) return;
     const double sigma_3 = confining[i / n];
     io::write_result((out / folder_of(sigma_3) / io::folder_name(r.name)).string(), recipes[i], phy::version,
@@ -252,6 +262,7 @@ void check_folders(const EnvelopeArguments& args, const Recipe& recipe,
                    const std::vector<double>& confining) {
   const fs::path out(args.out);
   std::vector<Problem> others;
+  // Every stress is looked at before complaining: one list of everything that is in the way.
   for (const double sigma_3 : confining)
     for (Problem& p :
          jobs::problems_of_others((out / folder_of(sigma_3)).string(),
@@ -278,12 +289,15 @@ std::vector<std::shared_ptr<const Specimen>> specimens_of(const Recipe& recipe) 
 
 int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const std::vector<double> confining = read_stresses(args.confining);
+  // Draws keep their tests in a store, so none of the folders below is made.
   if (args.ensemble) return run_ensemble({{args.recipe}, args.out, args.with_untrusted}, session, confining);
   const Recipe recipe = io::read_recipe(args.recipe);
+  // From here on files are written, and Ctrl-C has to leave them whole.
   stop_on_interrupt();
   const fs::path out(args.out);
   const int width = session.terminal_width;
   check_folders(args, recipe, confining);
+  // Packing and bedding do not depend on the stress: one set of specimens serves all.
   const auto specimens = specimens_of(study::confined_recipe(recipe, confining.front()));
   print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
                 specimens.size(), specimens.front()->packing->discs.size(), confining.size(),
@@ -292,11 +306,13 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   flush_out();
   const study::EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const study::Envelope envelope =
+      // Only the fit takes untrusted tests; the table of strengths shows each as it is.
       study::fit_envelope(args.with_untrusted ? study::with_untrusted(tests) : tests, recipe);
   io::write_output((out / strengths_file).string(), strengths_csv(tests));
   io::write_output((out / fits_file).string(), fits_csv(envelope));
   print_strengths(tests, envelope, width);
   print_outcomes(tests, width);
+  // Three of four stresses would give a fit, but not the one that was asked for.
   if (stop_on_interrupt()->load())
     print_wrapped(width, 2, "\nstopped: no envelope is fitted; what was finished is in {}\n", args.out);
   else
@@ -304,6 +320,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   print_wrapped(width, 2,
                 "tests in {}: envelope.csv, fits.csv, a folder per stress with one per finished specimen\n",
                 args.out);
+  // Scripts learn by the exit code that a stress has no strength, whatever could be fitted.
   const bool all_have = std::ranges::all_of(tests.results, [](const std::vector<TestResult>& of_stress) {
     return std::ranges::all_of(of_stress, has_strength, [](const TestResult& r) { return r.outcome.status; });
   });

@@ -34,6 +34,8 @@ std::vector<Wanted> wanted_of(const std::string& path) {
   if (!fs::is_directory(path)) return {{io::read_recipe(path), "", ""}};
   std::vector<Wanted> all;
   for (const SpecimenRecord& t : io::read_run(path).tests)
+    // Results keep no bonds: they are made again from the recipe, and the hash shows that the discs are the
+    // same.
     all.push_back({t.recipe, t.result.name, t.packing_hash});
   return all;
 }
@@ -51,6 +53,7 @@ std::vector<File> files_of(const Wanted& w, const ExportArguments& args, int wid
     throw InputError(Problem{args.what, "packing", packing->hash,
                              w.packing_hash + ", the discs of the result",
                              "the recipe makes other discs now: run it again, or name the recipe"});
+  // Told, not refused: somebody with a licence has no limit.
   if (packing->discs.size() + 2 > report::pfc_free_bodies)
     print_wrapped(width, 2,
                   "{} discs and two platens: PFC2D without a licence is said to take {} bodies; with one "
@@ -70,7 +73,9 @@ std::vector<File> files_of(const Wanted& w, const ExportArguments& args, int wid
 
 void export_pfc2d(const ExportArguments& args, const Session& session) {
   const std::vector<Wanted> wanted = wanted_of(args.what);
+  // Packings are made anew where the cache lacks them, which takes minutes.
   stop_on_interrupt();
+  // All recipes first: half a set of files is worse than none.
   for (const Wanted& w : wanted) report::check_pfc_export(w.recipe, args.what);
   std::vector<File> files;
   std::vector<std::string> names;
@@ -92,6 +97,7 @@ void export_pfc2d(const ExportArguments& args, const Session& session) {
 
 void add_export_command(CLI::App& app, Session& session) {
   CLI::App* verb = app.add_subcommand("export", "write a specimen and its test for another program");
+  // One word for the target: another program gets a verb beside pfc2d, and no option changes its meaning.
   verb->require_subcommand(1);
   auto args = std::make_shared<ExportArguments>();
   CLI::App* pfc =

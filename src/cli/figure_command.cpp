@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <charconv>
 #include <filesystem>
 #include <optional>
 
@@ -23,14 +24,14 @@
 namespace phy::cli {
 namespace {
 
-constexpr double least_width = 30.0, most_width = 1000.0;  // [mm]
+constexpr double least_size = 30.0, most_size = 1000.0;  // [mm]
 
 struct FigureArguments {
-  std::string result, rock, kind, format, out;
-  double width = 0.0;
+  std::string result, rock, kind, format, size, out, data;
 };
 
 /// What a folder holds, in words.
+// Found by the files themselves: users name a folder and seldom remember which verb wrote it.
 struct Held {
   bool variation, calibration;
   explicit Held(const std::string& folder)
@@ -53,6 +54,7 @@ std::vector<std::string> names_of_kinds(std::optional<bool> varied, bool with_nu
 
 void read_study(const std::string& folder, report::FigureData& data) {
   data.variation = io::read_variation(folder);
+  // With several parameters moving at once there is no curve over one of them to draw.
   if (data.variation.parameters.empty())
     throw InputError(Problem{folder, "", "",
                              "a study of the design one_at_a_time or full_factorial: figures show parameters "
@@ -62,6 +64,7 @@ void read_study(const std::string& folder, report::FigureData& data) {
 
 /// The specimens of a calibration: it has none where no strength was fitted.
 RunRecord specimens_of(const std::string& folder) {
+  // Curves and pictures are of the calibrated rock as it broke, whose specimens lie below the calibration.
   const std::string specimens = jobs::specimens_in(folder);
   if (!jobs::holds_results(specimens))
     throw InputError(Problem{folder, "", "", "specimens of the calibrated rock",
@@ -95,6 +98,7 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
 constexpr const char* on_terminal = "terminal";
 
 /// The format that is asked for, else that of the name of the file, else SVG.
+// An ending that contradicts --format would make a PDF that a viewer opens as SVG.
 std::string format_of(const FigureArguments& args) {
   std::string ending = std::filesystem::path(args.out).extension().string();
   if (!ending.empty()) ending.erase(0, 1);
@@ -106,36 +110,63 @@ std::string format_of(const FigureArguments& args) {
   return ending;
 }
 
+/// "140" or "140x90"; the height follows from the width where it is not given. Throws InputError.
+report::Sheet sheet_of(const std::string& size) {
+  report::Sheet sheet;
+  if (size.empty()) return sheet;
+  const auto read = [](std::string_view text, double& mm) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mm);
+    return error == std::errc() && end == text.data() + text.size() && mm >= least_size && mm <= most_size;
+  };
+  const std::size_t x = size.find('x');
+  if (!read(std::string_view(size).substr(0, x), sheet.width) ||
+      (x != size.npos && !read(std::string_view(size).substr(x + 1), sheet.height)))
+    throw InputError(Problem{"command line", "--size", size,
+                             fmt::format("{:g} to {:g} mm, as 140 or 140x90", least_size, most_size),
+                             "journals have widths of 90, 140 and 190"});
+  return sheet;
+}
+
 /// The exit code.
 int draw(FigureArguments args, int columns) {
   const std::string format = format_of(args);
   io::check_ending(args.out, {".svg", ".pdf", ".png"});
   const Held held(args.result);
+  // Before the data are read: a folder of many specimens takes seconds to read for a misspelt kind.
   const report::FigureKind& kind = report::figure_kind(args.kind.empty() ? held.usual_kind() : args.kind);
-  if (args.width != 0.0 && !(args.width >= least_width && args.width <= most_width))
-    throw InputError(Problem{"command line", "--width", fmt::format("{:g}", args.width),
-                             fmt::format("{:g} to {:g} mm", least_width, most_width),
-                             "journals have 90, 140, 190; 0: the usual one of the kind"});
+  io::check_ending(args.data, {".csv"});
+  if (!args.data.empty()) io::check_outputs({args.data}, "data");
+  report::Sheet sheet = sheet_of(args.size);
   if (!is_plain(args.out))
     throw InputError(Problem{"command line", "--out", args.out, "a name in UTF-8 without control characters",
                              "gnuplot has no way to write others"});
   const report::FigureData data = data_for(kind, held, args);
+  const std::string table = args.data.empty() ? "" : report::figure_csv(kind, data);
+  // Text goes to the terminal whatever --out says, and needs no gnuplot on the machine.
   if (format == on_terminal) {
+    if (!args.size.empty())
+      throw InputError(Problem{"command line", "--size", args.size, "nothing with --format terminal",
+                               "a terminal has its own width"});
+    // On a pipe there is no width to ask for; 80 columns fit into mails and logs.
     constexpr int usual_columns = 80;
     print_out("{}", report::figure_text(kind, data, columns > 0 ? columns : usual_columns));
+    if (!args.data.empty()) io::write_output(args.data, table);
     return tell_provenance(data.run, 0);
   }
   // Where the user stands and not in the folder of results, which is left as it was.
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
+  // Made beside its place and moved there: where gnuplot fails, an older figure stays as it was.
   make_file_or_stop(args.out, [&](const std::string& temporary) {
-    const std::string script =
-        report::figure_script(kind, data, report::figure_formats().at(format), args.width, temporary);
+    sheet.format = report::figure_formats().at(format), sheet.out = temporary;
+    const std::string script = report::figure_script(kind, data, sheet);
     io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   print_out("{}\n", args.out);
+  if (!args.data.empty()) io::write_output(args.data, table), print_out("{}\n", args.data);
   return tell_provenance(data.run, 0);
 }
 
+// From the list of kinds, so that --help cannot miss one that was added.
 std::string kinds_text() {
   std::string text = "what to draw; default: stress_strain, anisotropy of a calibration, modulus of a study:";
   for (const report::FigureKind& k : report::figure_kinds())
@@ -158,8 +189,11 @@ void add_figure_command(CLI::App& app, Session& session) {
   verb->add_option("--format", args->format,
                    "svg, pdf, png, or terminal: printed here; default: the ending of --out, else svg")
       ->check(CLI::IsMember({"svg", "pdf", "png", on_terminal}));
-  verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind")
-      ->capture_default_str();
+  verb->add_option("--size", args->size,
+                   "mm, as 140 or 140x90; journals have widths of 90, 140, 190; default: by the kind")
+      ->type_name("WIDTH[xHEIGHT]");
+  verb->add_option("--data", args->data, "CSV file that gets what is drawn, point by point")
+      ->type_name("FILE");
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model")
       ->type_name("FILE");
   verb->add_option("--out", args->out, "file; default: KIND.FORMAT here")->type_name("FILE");

@@ -22,6 +22,7 @@ struct FilmArguments {
 /// The exit code.
 int make_film(const FilmArguments& args) {
   const RunRecord run = io::read_run(args.result);
+  // Throws before ffmpeg starts where the run has kept no frames: no empty file is left.
   const report::Film film(run, args.film);
   const std::atomic<bool>* stop = stop_on_interrupt();
   make_file_or_stop(args.out, [&](const std::string& temporary) {
@@ -42,25 +43,27 @@ int make_film(const FilmArguments& args) {
 
 void add_film_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FilmArguments>();
-  CLI::App* verb = app.add_subcommand("film", "write an animation of the test (WebM or GIF) through ffmpeg");
+  CLI::App* verb =
+      app.add_subcommand("film", "write an animation of the test (WebM, MP4 or GIF) through ffmpeg");
   verb->add_option("result", args->result,
                    "folder that `phyllite run` wrote, `specimens` of a calibration, or one specimen of them")
       ->required()
       ->type_name("FOLDER");
-  verb->add_option("--out", args->out, "file that ends in .webm or .gif")
+  // ffmpeg chooses container and codec by the ending, and others would fail only after the first frame.
+  verb->add_option("--out", args->out, "file that ends in .webm, .mp4 or .gif")
       ->type_name("FILE")
       ->check([](const std::string& name) {
-        return name.ends_with(".webm") || name.ends_with(".gif") ? ""
-                                                                 : "name a file that ends in .webm or .gif";
+        const bool known = name.ends_with(".webm") || name.ends_with(".mp4") || name.ends_with(".gif");
+        return known ? "" : "name a file that ends in .webm, .mp4 or .gif";
       })
       ->capture_default_str();
   verb->add_option("--width", args->film.width, "pixels")
       ->check(CLI::Range(320, 3840))
       ->capture_default_str();
-  verb->add_option("--seconds", args->film.seconds, "length")
+  verb->add_option("--seconds", args->film.seconds, "length of the film")
       ->check(within(0.5, 120.0))
       ->capture_default_str();
-  verb->add_option("--magnify", args->film.magnify, "of displacements")
+  verb->add_option("--magnify", args->film.magnify, "factor on displacements")
       ->check(within(0.0, 200.0))
       ->capture_default_str();
   verb->callback([args, &session] { session.exit_code = make_film(*args); });

@@ -35,6 +35,7 @@ std::unique_ptr<gui::Server> server_at(int port, const gui::Tokens& tokens, cons
   if (port != GuiArguments::usual) return at(port);
   try {
     return at(GuiArguments::first);
+    // Another folder's page has that port already, or another program: both should go on.
   } catch (const IoError&) {
     return at(0);
   }
@@ -42,13 +43,18 @@ std::unique_ptr<gui::Server> server_at(int port, const gui::Tokens& tokens, cons
 
 int run_gui(const GuiArguments& args, const Session& session) {
   io::check_writable(args.folder);
+  // Commands of the page are typed with names relative to this folder, so the process works in it.
   std::filesystem::current_path(args.folder);
+  // A token for everything, and another for files alone: scripts of a page in a result must not get the
+  // first.
   const gui::Tokens tokens = {gui::kept_token(gui::way_in_file), gui::random_token()};
   gui::Api api(session.threads, tokens.file);
   const auto server =
       server_at(args.port, tokens, [&](const gui::Request& request) { return api.answer(request); });
   const int width = session.terminal_width;
+  // After the server has its port: the file holds the whole address.
   gui::write_way_in(gui::way_in_file, server->address());
+  // The address stands alone on its line, so that terminals make a link of it and scripts can read it.
   print_out("{}\n", server->address());
   print_wrapped(
       width, 2,
@@ -56,12 +62,14 @@ int run_gui(const GuiArguments& args, const Session& session) {
       "the page. Files are in {}\n",
       std::filesystem::current_path().string());
   print_wrapped(width, 2, "Ctrl-C ends it; its commands keep their finished tests\n");
+  // On a pipe the address would else wait in a buffer for as long as the server runs.
   flush_out();
   if (args.browser ||
       (!args.no_browser && system::is_terminal(system::standard_output) && system::has_desktop()))
     // A file in place of the address: what a command line says every user of the machine can read.
     system::open_in_browser(std::filesystem::absolute(gui::way_in_file).string());
   const bool all_answered = server->run(*stop_on_interrupt());
+  // Told before they end: after Ctrl-C nobody should wonder where a calibration has gone.
   for (const std::string& folder : api.running())
     print_wrapped(width, 2, "stopping what writes {}: `phyllite gui`, started again, can go on with it\n",
                   folder);

@@ -12,6 +12,7 @@ int n_threads(const Session& session) { return jobs::n_threads(session.threads);
 
 std::string speed_words(const TestRecipe& test) {
   std::string words = fmt::format("{:.3f} m/s per platen", test.platen_speed);
+  // Both speeds, since the strength depends on the last and the duration on the first.
   if (test.approach_strain > 0.0)
     words +=
         fmt::format(" behind {:.3f} m/s up to a strain of {:g}", test.approach_speed, test.approach_strain);
@@ -31,6 +32,7 @@ void make_file_or_stop(const std::string& path,
   try {
     io::make_file(path, [&](const std::string& temporary) {
       make(temporary);
+      // gnuplot gets the same Ctrl-C and may end with a whole-looking part of a picture.
       if (stop_requested) throw IoError("stopped");
     });
   } catch (const IoError&) {

@@ -44,6 +44,7 @@ Names verbs_of(const CLI::App& app) {
 Names options_of(const CLI::App& app) {
   Names options;
   for (const CLI::Option* option : app.get_options())
+    // Short names are no words that can be misspelt.
     for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
   if (app.get_parent() != nullptr)
     for (std::string& name : options_of(*app.get_parent())) options.push_back(std::move(name));
@@ -65,6 +66,7 @@ phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e
   std::vector<phy::Problem> problems;
   for (const std::string& word : lost)
     if (word.starts_with("-"))
+      // All unknown options in one message: one more try is enough.
       problems.push_back(
           {"command line", "option", word, "an option of " + name, hint(word, options_of(*of), help)});
   // Unknown options first: what follows one is mostly its value, and no word of its own.
@@ -76,6 +78,7 @@ phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e
   if (!lost.empty())
     return phy::InputError(phy::Problem{"command line", "", fmt::format("{}", fmt::join(lost, " ")),
                                         "nothing more after " + name, "put a name with spaces in quotes"});
+  // What the parser refuses for a reason of its own, such as a value out of range, it words itself.
   return phy::InputError(phy::Problem{fmt::format("command line: {}; {}", e.what(), help), "", "", "", ""});
 }
 
@@ -83,6 +86,7 @@ phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e
 void refuse_empty_names(CLI::App& app) {
   for (CLI::Option* option : app.get_options())
     if (const std::string type = option->get_type_name(); type == "FILE" || type == "FOLDER")
+      // A script with an unset variable passes "", and results would be spread over the current folder.
       option->check([type](const std::string& name) {
         return name.empty() ? fmt::format("the name of a {} is empty", type == "FILE" ? "file" : "folder")
                             : std::string();
@@ -103,6 +107,7 @@ constexpr auto verbs = [] {
 
 int run(std::vector<std::string> words) {
   phy::cli::Session session;
+  // Of standard output alone: piped into a file, tables stay as wide as they are.
   session.terminal_width = phy::system::terminal_size(phy::system::standard_output).columns;
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
                "phyllite"};
@@ -119,15 +124,18 @@ int run(std::vector<std::string> words) {
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  // Without a verb there is nothing to do, and an exit code of 0 would let a script go on.
   app.require_subcommand(1);
   // --threads may stand behind the verb, too.
   app.fallthrough();
   for (const auto add : verbs) add(app, session);
+  // When all verbs are there, as it walks the whole tree.
   refuse_empty_names(app);
   try {
     std::ranges::reverse(words);  // as the parser takes them
     app.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
+    // The parser's own messages name one fault and no remedy; help and version end with 0.
     if (e.get_exit_code() != 0) throw wrong_command_line(app, e);
     app.exit(e);  // --help, --version
     std::cout.flush();
@@ -149,6 +157,7 @@ int say(int exit_code, const char* begin, const char* what) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // First of all: a file opened while descriptor 1 is closed would receive what is printed.
   phy::system::guard_standard_streams();
   try {
     return run(phy::system::arguments(argc, argv));
@@ -158,14 +167,17 @@ int main(int argc, char** argv) {
     return say(3, "", phy::terminal_text(e.what()).c_str());
   } catch (const phy::genesis::Interrupted& e) {
     return say(1, "", e.what());
+    // After a failed allocation no message can be put together: a fixed text, written as it is.
   } catch (const std::bad_alloc&) {
     return say(4, "", "not enough memory; use fewer grains, or fewer lanes (--lanes)");
+    // Before system_error, its base, which would call a missing permission a fault of the system.
   } catch (const std::filesystem::filesystem_error& e) {
     return say(3, "", phy::terminal_text(phy::jobs::in_words(e)).c_str());
   } catch (const std::system_error& e) {
     // Threads, mostly: the system has no more of them.
     return say(3, "system: ", e.what());
   } catch (const std::exception& e) {
+    // Whatever else arrives here was thrown by a check of our own, and is a bug.
     return say(4, phy::jobs::internal, e.what());
   }
 }

@@ -37,6 +37,8 @@ std::string literal(const std::string& text) {
            : c == '~'  ? "\\(ti"
            : c == '`'  ? "\\(ga"
                        : std::string(1, c);
+  // A line that begins with a point is a request to roff, which vanishes from the page. \& is nothing, in
+  // front.
   return out.starts_with('.') ? "\\&" + out : out;
 }
 
@@ -50,9 +52,11 @@ std::string prose(const std::string& text) {
   for (std::size_t from = 0; from <= text.size(); typed = !typed) {
     const std::size_t to = std::min(text.find('`', from), text.size());
     const std::string part = text.substr(from, to - from);
+    // Only double hyphens in prose are of options; a single one may be set as a hyphen.
     out += typed ? bold(part) : replaced(replaced(replaced(part, "\\", "\\e"), "--", "\\-\\-"), "~", "\\(ti");
     from = to + 1;
   }
+  // roff joins lines of a paragraph; what was broken on purpose stays so by .br.
   out = replaced(out, "\n", "\n.br\n");
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
@@ -79,6 +83,7 @@ Options arguments_of(const CLI::App& app) {
 }
 
 std::string argument(const CLI::Option& option) {
+  // Dots as in the synopses of other programs: the word may be repeated.
   const std::string many = option.get_expected_max() > 1 ? "..." : "";
   const std::string name = italic(option.get_name(true)) + many;
   return option.get_required() ? name : "[" + name + "]";
@@ -101,12 +106,14 @@ std::string meaning_of(const CLI::Option& option) {
   };
   std::string text = option.get_description();
   const std::string type = option.get_type_name();
+  // CLI11 puts type and checks into one text, "INT:INT in [0 - 1024]" or "TEXT:{svg,pdf}".
   if (const std::size_t values = type.find(':'); values != type.npos) {
     std::string of = replaced(type.substr(values + 1), ",", ", ");
     std::erase_if(of, [](char c) { return c == '{' || c == '}'; });
     of = replaced(replaced(of, "INT in [", "a whole number in ["), " - ", " ... ");
     text += fmt::format("; {}{}", type[values + 1] == '{' ? "one of " : "", of);
   }
+  // A flag takes no value, so a default of it tells nobody anything.
   if (!option.get_default_str().empty() && option.get_items_expected_max() > 0)
     text += "; default: " + option.get_default_str();
   if (!option.get_needs().empty()) text += "; only with " + names(option.get_needs());
@@ -141,6 +148,7 @@ std::string examples(const std::vector<ManExample>& all) {
   for (const ManExample& e : all) {
     if (!text.empty()) text += ".PP\n";
     if (!e.why.empty()) text += prose(e.why) + "\n.PP\n";
+    // .EX keeps the line as it is: a command must be copied whole.
     text += ".EX\n" + literal(e.command) + "\n.EE\n";
   }
   return heading("EXAMPLES") + text;
@@ -185,6 +193,7 @@ std::string page(const CLI::App& app) {
   const ManText& more = man_text(program ? "" : app.get_name());
   std::string upper = page_name(app);
   std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  // NAME is read by apropos and whatis, which expect one line "page - purpose" without marks.
   std::string purpose = program ? "laboratory for layered rock" : app.get_description();
   std::erase(purpose, '`');
   // .nh: no command is broken by a hyphen that nobody types.
@@ -193,6 +202,7 @@ std::string page(const CLI::App& app) {
   text += heading("NAME") + literal(page_name(app)) + " \\- " + prose(purpose) + "\n";
   text += synopses(app) + description(more.description) + heading("OPTIONS") + options_text(app);
   if (!program)
+    // An option of the program, which the tree of a verb does not hold.
     text += item(bold("--threads") + " " + italic("INT"), prose("as of every verb, see `phyllite`(1)."));
   text += verbs_text(app) + heading("EXIT STATUS");
   for (const ManEntry& e : exit_codes()) text += item(bold(e.term), prose(e.meaning + "."));
@@ -223,6 +233,7 @@ void add_man_command(CLI::App& app, Session& session) {
   man->callback([args, &app, &session] {
     session.exit_code = 0;
     std::vector<const CLI::App*> pages = verbs_of(app);
+    // The program's own page is one of them, though no verb.
     pages.insert(pages.begin(), &app);
     if (!args->out.empty()) {
       for (const CLI::App* p : pages)

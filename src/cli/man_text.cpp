@@ -195,7 +195,7 @@ const std::vector<ManText>& texts() {
       {"film",
        "Draws a test frame by frame, with displacements magnified, and encodes it through ffmpeg, which must "
        "be "
-       "installed. The ending of the file chooses WebM or GIF.",
+       "installed. The ending of the file chooses WebM, MP4 or GIF.",
        {},
        {{"", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},
         {"", "phyllite film results/pfc2d --seconds 1 --width 320 --out press.webm"}}},

@@ -26,6 +26,8 @@ std::vector<TestResult> press(const Recipe& recipe,
   jobs::PressWatch watch(folder);
   hooks.on_reading = [&](std::size_t i, const RunningTest& now) {
     plot.add(i, now.strain, now.stress);
+    // The page of `phyllite gui` draws the specimen from this file, so the terminal is not the only
+    // spectator.
     watch.reading(now);
   };
   hooks.stop = stop_on_interrupt();
@@ -37,6 +39,7 @@ std::vector<TestResult> press(const Recipe& recipe,
     if (result.outcome.status == Status::interrupted) return;
     io::write_result((std::filesystem::path(folder) / io::folder_name(result.name)).string(), recipe,
                      phy::version, *specimens[i], result);
+    // After the file: a note means that the result is kept.
     line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
   };
   std::vector<TestResult> results = study::run_tests(specimens, recipe, machine, hooks);

@@ -30,6 +30,7 @@ int tell_provenance(const RunRecord& run, int terminal_width) {
   tell_others(std::move(programs), terminal_width);
   for (const MissingTest& m : run.missing)
     print_wrapped(terminal_width, 2, "{}: missing: {}\n", m.name, m.reason);
+  // A test that was interrupted is missing, too, but no file is damaged: only that is code 3.
   const bool unreadable =
       std::any_of(run.missing.begin(), run.missing.end(), [](const MissingTest& m) { return m.unreadable; });
   return unreadable ? 3 : 0;

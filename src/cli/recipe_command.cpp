@@ -14,6 +14,7 @@ namespace {
 /// The paper's specimen with one set of bedding, with comments.
 std::string template_recipe() {
   Recipe r;
+  // A default recipe has no bedding, and its keys would be missing from the template.
   r.bedding.resize(1);
   return io::commented_recipe(r);
 }
@@ -45,6 +46,7 @@ void add_recipe_command(CLI::App& app, Session& session) {
     else if (args->print_template)
       text = template_recipe();
     else if (!args->file.empty())
+      // Read and written again, so that the output shows every default in force.
       text = args->pfc ? report::pfc_commands(io::read_recipe(args->file))
                        : io::write_recipe(io::read_recipe(args->file));
     else

@@ -27,6 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A store holds hundreds of tests, hours of work: a sample over kinds and angles shows a difference as well.
 constexpr std::size_t of_a_store = 8;  // tests that are run again where nobody asks for more
 constexpr std::size_t most_told = 6;   // differences of one test
 
@@ -52,6 +53,7 @@ Recipe single_of(const SpecimenRecord& record, const std::string& folder) {
   const auto it = std::find(names.begin(), names.end(), record.result.name);
   if (it == names.end())
     throw InputError(Problem{folder, "specimen", record.result.name, "one of its recipe's", ""});
+  // A test is run again alone, beside other neighbours in the lanes: the bits must not depend on them.
   return study::single_recipes(record.recipe)[static_cast<std::size_t>(it - names.begin())];
 }
 
@@ -60,6 +62,7 @@ std::vector<std::string> runs_in(const std::string& path) {
   if (!io::result_folders(path).empty()) return {path};
   std::vector<std::string> runs;
   for (const std::string& entry : io::list_folder(path))
+    // A run that was killed leaves half-written folders, which were never results.
     if (fs::is_directory(entry) && !io::is_temporary(entry) && !io::result_folders(entry).empty())
       runs.push_back(entry);
   return runs;
@@ -92,6 +95,7 @@ void read_store(const std::string& file, std::size_t n, std::vector<Stored>& all
   const study::Store store(file, study::Sharing::reading);
   const std::vector<study::StoredResult> rows = store.rows();
   std::vector<Recipe> singles;
+  // From the recipe in the row and not from files beside the store, which may have been edited since.
   for (const study::StoredResult& row : rows) singles.push_back(io::parse_recipe(row.recipe, file));
   std::vector<std::optional<study::StoredResult>> chosen;
   for (const std::size_t i : study::spread(singles, n)) {
@@ -114,6 +118,7 @@ std::vector<Stored> read_all(const ReplayArguments& args, int width, int& code) 
   std::vector<Stored> all;
   const std::vector<std::string> runs = runs_in(args.folder), stores = stores_in(args.folder);
   for (const std::string& run : runs) code = std::max(code, read_run(run, args.folder, all, width));
+  // Chosen after all runs were read, so that the number holds for the folder and not for each run.
   if (args.tests > 0 && args.tests < all.size()) {
     std::vector<Recipe> singles;
     for (const Stored& s : all) singles.push_back(s.single);
@@ -141,11 +146,14 @@ void compare(Stored& s, const study::PlannedTest& test, const TestResult& now, c
     if (!out.empty())
       io::write_result((fs::path(out) / s.place).string(), s.recipe, phy::version, *specimen, now);
   }
+  // A key is the fingerprint of the completed recipe: equal numbers under another key would never be found
+  // again.
   const std::string key = (s.direct ? "direct-" : "") + test.key;
   if (!s.key.empty() && s.key != key)
     s.differences.push_back("key: its recipe has another one now, " + key +
                             ": it was stored by a version of other physics, or imported discs have changed");
   for (std::string& d : study::differences(s.result, now)) s.differences.push_back(std::move(d));
+  // Only now: what was interrupted must not count as equal.
   s.done = true;
 }
 
@@ -162,9 +170,11 @@ void run_again(const std::vector<Stored*>& tests, bool direct, const ReplayArgum
   hooks.stop = stop_on_interrupt();
   hooks.on_result = [&](std::size_t test, const TestResult& now) {
     if (now.outcome.status == Status::interrupted) return;
+    // Equal recipes are one test of the plan, so that one result may answer several stored ones.
     for (std::size_t i = 0; i < tests.size(); ++i) {
       if (plan.runs[i].test != test) continue;
       compare(*tests[i], plan.tests[test], now, args.out), ++n_done;
+      // At once: whoever sees the first difference may want to stop.
       if (!tests[i]->differences.empty()) line.note(tests[i]->name + ": differs");
     }
     line.show([&](double seconds) {
@@ -203,6 +213,7 @@ int conclude(const std::vector<Stored>& all, double seconds, int width) {
                   "what was stored is not what {} computes here: if `phyllite verify --hash` finds the "
                   "recorded hashes, another version or build made it, or it was changed\n",
                   phy::program);
+  // Stopped counts as failure, since a script would take 0 for "all equal".
   return n_other > 0 || stopped ? 1 : 0;
 }
 
@@ -219,6 +230,7 @@ void check_out(const std::string& out) {
 int replay(const ReplayArguments& args, const Session& session) {
   const int width = session.terminal_width;
   const auto start = std::chrono::steady_clock::now();
+  // Before hours of tests, whose results would find their place taken.
   if (!args.out.empty()) check_out(args.out);
   int code = 0;
   std::vector<Stored> all = read_all(args, width, code);

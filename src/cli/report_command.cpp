@@ -22,15 +22,18 @@ struct ReportArguments {
 /// The exit code.
 int report(const ReportArguments& args) {
   auto [run, extras] = jobs::read_report(args.result);
+  // Only values that are asked for: a run does not know which rock it stands for.
   if (!args.rock.empty()) extras.laboratory = targets_of(rock::read_rock(args.rock));
   const std::string out = args.out.empty() ? jobs::page_of(args.result) : args.out;
   io::check_ending(out, {".html", ".htm"});
+  // A page that somebody edited by hand is not overwritten.
   io::check_outputs({out});
   const auto start = std::chrono::steady_clock::now();
   const std::string page = report::report_page(run, extras);
   io::write_output(out, page);
   const double seconds = seconds_since(start);
   print_out("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
+            // A study or an elastic calibration has a page without specimens.
             run.tests.empty()
                 ? ""
                 : fmt::format("{} specimen{}, ", run.tests.size(), run.tests.size() == 1 ? "" : "s"),

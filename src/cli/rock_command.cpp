@@ -17,6 +17,7 @@
 #include "jobs/rock_base.hpp"
 #include "jobs/tables_reference.hpp"
 #include "rock/file.hpp"
+#include "rock/schema.hpp"
 #include "rock/template.hpp"
 
 namespace phy::cli {
@@ -25,6 +26,7 @@ namespace {
 /// Throws InputError unless the files NAME + ending can be made, and a TOML string can hold the name.
 void check_free(const char* verb, const std::string& name, const std::vector<std::string>& endings) {
   const std::string stem = std::filesystem::path(name).filename().string();
+  // The name goes into NAME.toml as a text, where a quote would end it.
   if (stem.empty() || !is_plain(stem) || stem.find_first_of("\"\\") != stem.npos)
     throw InputError(Problem{"command line", verb, '\'' + name + '\'',
                              "a name in UTF-8, without quotes and backslashes", "for example grey-shale"});
@@ -44,13 +46,15 @@ std::string without_ending(const std::string& name) {
 /// `given`: as typed, maybe with an ending. A table that is there is no table to be written.
 void check_no_table(const std::string& given) {
   const std::string name = without_ending(given);
+  // `rock new shale.xlsx` means a table that is there, most probably: tell how to use it instead of writing
+  // another.
   const std::string table = given != name && !given.ends_with(".toml") ? given : name + ".csv";
   if (std::filesystem::exists(table))
     throw InputError(
         Problem{"command line", "rock new", table, "",
                 fmt::format("the file is there already. If it is your table: phyllite rock new {} "
                             "--data {}",
-                            sh_word(name), sh_word(table))});
+                            shell_word(name), shell_word(table))});
 }
 
 /// `data`: a table that is there; without it one is written, too. `like`: a measured rock, or nothing.
@@ -67,10 +71,11 @@ int rock_new(const std::string& given, const std::string& data, const std::strin
     io::read_file(data, largest_table);  // a file, and none that is too large
     const std::filesystem::path from = std::filesystem::absolute(toml).parent_path();
     const std::string table =
+        // Relative to the rock file, as it will be read, so that both can be moved together.
         std::filesystem::proximate(std::filesystem::absolute(data), from).generic_string();
     io::write_file(toml.string(), rock::rock_template(stem, table, start));
     print_out("{} names the table; how it is read and what it determines:\n  phyllite rock check {}\n",
-              toml.string(), sh_word(toml.string()));
+              toml.string(), shell_word(toml.string()));
     return 0;
   }
   check_no_table(given);
@@ -82,13 +87,14 @@ int rock_new(const std::string& given, const std::string& data, const std::strin
     throw;
   }
   print_out("{} and {}: fill in the table, then\n  phyllite rock check {}\n", toml.string(), csv.string(),
-            sh_word(toml.string()));
+            shell_word(toml.string()));
   return 0;
 }
 
 int rock_check(const std::string& path, bool all, const Session& session) {
   write_out(jobs::rock_check(rock::read_rock(path), path, session.terminal_width, n_threads(session), all));
-  if (!all) write_out("Details: phyllite rock check " + sh_word(path) + " --all\n");
+  // The short form answers most questions; the long one has pages.
+  if (!all) write_out("Details: phyllite rock check " + shell_word(path) + " --all\n");
   return 0;
 }
 
@@ -99,6 +105,7 @@ int rock_twin(const std::string& recipe_file, const std::string& name, ModulusRe
   print_notes(truth.notes, session.terminal_width);
   calibrate::TwinOptions options;
   if (truth.bedding.empty())
+    // Isotropic rock has the same response at every angle: one is enough, and costs a seventh.
     options.angles = {0.0};
   else if (!truth.test.angles.empty())
     options.angles = truth.test.angles;
@@ -109,10 +116,12 @@ int rock_twin(const std::string& recipe_file, const std::string& name, ModulusRe
   std::vector<Comparison> response;
   try {
     response = calibrate::twin_response(truth, options.angles, options.seeds, *simulator, E_is);
+    // A mean of some packings would be a table of another truth.
   } catch (const calibrate::Stopped&) {
     print_out("stopped, nothing was written\n");
     return 1;
   }
+  // The table says how it was made: a synthetic one must not pass for a laboratory's.
   const std::string about = fmt::format(
       "# Made by `phyllite rock twin {}`: mean response of {} packings (seeds {} ... {}), {} specimens per\n"
       "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number; E_is = \"{}\".\n",
@@ -121,6 +130,7 @@ int rock_twin(const std::string& recipe_file, const std::string& name, ModulusRe
   io::write_file(name + ".csv", about + calibrate::readings_csv(calibrate::twin_readings(response, options),
                                                                 !truth.bedding.empty()));
   print_out("{:>6} {:>10} {:>8} {:>10}\n", "theta", "E [GPa]", "nu", "UCS [MPa]");
+  // The response lists all E first, then all nu, then all UCS, each in the order of the angles.
   const std::size_t n = options.angles.size();
   for (std::size_t i = 0; i < n; ++i)
     print_out("{:>6g} {:>10.3f} {:>8.4f} {:>10.2f}\n", options.angles[i], response[i].mean * 1e-9,
@@ -178,6 +188,7 @@ void add_twin(CLI::App& rock, Session& session) {
 void add_rock_command(CLI::App& app, Session& session) {
   CLI::App* rock =
       app.add_subcommand("rock", "laboratory tables: write a template, check one, or make a synthetic one");
+  // None is allowed: --explain and --reference belong to the group itself.
   rock->require_subcommand(0, 1);
   auto key = std::make_shared<std::string>();
   auto reference = std::make_shared<bool>(false), tables = std::make_shared<bool>(false);

@@ -32,11 +32,12 @@ void write_files(const RocksArguments& args) {
   std::vector<std::string> paths;
   for (const jobs::BaseFile& file : files)
     paths.push_back((std::filesystem::path(args.out) / file.name).string());
+  // Whoever has changed a copy, to try something, keeps it.
   io::check_outputs(paths);
   io::check_writable(args.out);
   for (std::size_t i = 0; i < files.size(); ++i) io::write_output(paths[i], files[i].text);
   print_out("{}: {} files; what its table determines:\n  phyllite rock check {}\n", args.out, files.size(),
-            sh_word(paths.front()));
+            shell_word(paths.front()));
 }
 
 }  // namespace

@@ -101,6 +101,7 @@ struct Made {
 
 Made make_all(const Recipe& recipe, bool no_cache, int width) {
   const auto start = Clock::now();
+  // An empty folder switches the cache off, for reading as for writing.
   const fs::path folder = no_cache ? "" : genesis::default_cache_folder();
   // Asked before: afterwards it is there in either case.
   const bool cached = genesis::is_cached(recipe, folder);
@@ -117,6 +118,7 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
   tell_loose_packing(*made.packing, recipe, width);
   for (Specimen& s : genesis::make_specimens(made.packing, recipe))
     made.specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+  // The first angle speaks for all: lines for seven angles would hide the rest. `specimen` prints each.
   if (!made.specimens.empty()) print_bedding(*made.specimens.front(), width);
   return made;
 }
@@ -164,6 +166,7 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
   std::vector<Problem> problems;
   for (const std::string& path : args.recipes) {
     const bool several = args.recipes.size() > 1;
+    // One recipe needs no folder below --out, and a long path would be in the way.
     const std::string folder = several ? (fs::path(args.out) / fs::path(path).stem()).string() : args.out;
     for (const RecipeRun& other : jobs)
       // Folders are named after files: a/x.toml and b/x.toml would share one.
@@ -172,6 +175,7 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
                             "both would write into " + folder + ": run them one by one, with an --out each"});
     jobs.push_back({path, folder, {}});
   }
+  // Before the files are read: two recipes of one name would be compared with one folder.
   if (!problems.empty()) throw InputError(std::move(problems));
   for (RecipeRun& job : jobs) {
     job.recipe = io::read_recipe(job.path);
@@ -209,10 +213,12 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
 }
 
 int run_one(const RecipeRun& job, const RunArguments& args, const Session& session) {
+  // Made now and removed again if nothing comes into it, so that a run that is refused leaves no trace.
   const jobs::ResultFolder folder(job.folder);
   const auto start = Clock::now();
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
+  // Below a gigabyte every machine has it, and the line would only be noise.
   constexpr double worth_telling = 1e9;  // bytes
   if (const double most = study::expected_memory(job.recipe, specimen_names(job.recipe).size());
       most > worth_telling)
@@ -266,6 +272,7 @@ void add_run_command(CLI::App& app, Session& session) {
     const std::vector<RecipeRun> jobs = jobs_of(*args);
     stop_on_interrupt();
     for (const RecipeRun& job : jobs)
+      // The worst of all recipes: one that failed must not be hidden by the next.
       session.exit_code = std::max(session.exit_code, run_one(job, *args, session));
   });
 }
@@ -293,6 +300,7 @@ void add_specimen_command(CLI::App& app, Session& session) {
     }
     print_notes(recipe.notes, session.terminal_width);
     const Made made = make_all(recipe, false, session.terminal_width);
+    // The first was printed with the packing.
     for (std::size_t i = 1; i < made.specimens.size(); ++i)
       print_bedding(*made.specimens[i], session.terminal_width);
     if (!out->empty()) {

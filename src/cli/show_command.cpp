@@ -14,6 +14,7 @@ namespace {
 
 int show(const std::string& path, const Session& session) {
   const RunRecord run = io::read_run(path);
+  // A run puts specimens of one recipe and packing into a folder, so the first speaks for all.
   const SpecimenRecord& first = run.tests.front();
   std::vector<TestResult> results;
   bool all_strong = run.missing.empty();
@@ -27,6 +28,7 @@ int show(const std::string& path, const Session& session) {
                 first.packing.porosity, first.packing.coordination);
   print_out("{}\n", report::press_table(results, width));
   print_wrapped(width, 2, "{}", report::outcome_lines(results));
+  // As when the run ended: a script that looks later gets the same code.
   return std::max(tell_provenance(run, width), all_strong ? 0 : 1);
 }
 

@@ -46,6 +46,7 @@ struct StudyArguments {
 
 bool read_whole(std::string_view text, int& n) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  // "3x/10" is no number: from_chars alone would read 3 and drop the rest.
   return error == std::errc() && end == text.data() + text.size();
 }
 
@@ -86,6 +87,8 @@ StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& s
   };
   const study::MachineOptions machine = machine_of(session);
   study::StoreQueue queue(plan, store, hooks,
+                          // The time left depends on all threads that take tests from this store, those of
+                          // other ranks too.
                           ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
   const study::WorkReport report = ranks != nullptr ? study::work_as_host(*ranks, queue, plan, machine)
                                                     : study::work_at(queue, plan, machine);
@@ -103,6 +106,7 @@ void report_tables(const study::Plan& plan, const study::StudyRows& rows, const 
   jobs::write_tables(plan, rows, folder);
   print_out("{}", study::effects_text(plan, rows, width));
   print_out("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
+  // A study without a parameter has nothing to draw over.
   if (!plan.study.vary.empty()) write_report(folder);
 }
 
@@ -110,6 +114,7 @@ int finish_study(const study::Plan& plan, const study::Store& store, const Place
                  const Session& session) {
   const auto& [folder, shard] = place;
   const auto rows = study::rows_of(plan, store);
+  // A part has a share of the points, and curves of some points would look like those of all.
   if (shard.n == 1 && n_finished(rows) > 0) report_tables(plan, rows, folder, session.terminal_width);
   const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
                     n_left = n_unfinished(plan, rows);
@@ -120,14 +125,16 @@ int finish_study(const study::Plan& plan, const study::Store& store, const Place
                 report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
                 report.cpu_seconds, 100.0 * report.idle, lanes.empty() ? "" : ", ", lanes);
   if (run.n_guest > 0) print_out("{} of them on other ranks\n", run.n_guest);
+  // One hash of all results: two machines that print the same have the same results.
   print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
-  if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, sh_word(folder));
-  if (shard.n > 1) print_out("when all parts are done: phyllite study merge {}\n", sh_word(folder));
+  if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, shell_word(folder));
+  if (shard.n > 1) print_out("when all parts are done: phyllite study merge {}\n", shell_word(folder));
   return n_bad + n_left > 0 ? 1 : 0;
 }
 
 /// All but rank 0: work for rank 0's store, write and print nothing.
 int run_as_guest(const study::Plan& plan, const study::Ranks& ranks, const study::MachineOptions& machine) {
+  // A collective call: without the guests rank 0 would wait for ever.
   ranks.sum(machine.threads);
   study::work_as_guest(ranks, plan, machine, *stop_on_interrupt());
   return 0;
@@ -136,17 +143,21 @@ int run_as_guest(const study::Plan& plan, const study::Ranks& ranks, const study
 int run_study(const study::Study& study, const jobs::StudyFiles& files, const StudyArguments& args,
               const std::string& folder, const Session& session) {
   const study::Shard shard = parse_shard(args.shard);
+  // A dry run writes nothing and may look at a folder that others write to.
   if (!args.dry_run) jobs::check_study_outputs(files, folder, shard);
   jobs::refuse_other_study(study, folder);
+  // Whole runs after parts: what parts have done already would be run again.
   if (shard.n == 1) jobs::refuse_unmerged(folder);
   std::optional<study::Ranks> ranks;
   if (args.mpi) ranks.emplace();
   const study::Plan plan = study::make_plan(study, shard);
+  // Ranks may sit on machines with different copies of the study; test numbers would mean different tests.
   if (ranks) ranks->check_same(plan);
   if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
   const std::string file = jobs::store_file(folder, shard);
   if (args.dry_run) {
     study::StudyRows rows(plan.tests.size());
+    // What an earlier run finished shortens the forecast.
     if (fs::exists(file)) rows = study::rows_of(plan, study::Store(file, study::Sharing::reading));
     print_plan(plan, rows, session);
     return 0;
@@ -164,7 +175,7 @@ study::Store store_in(const std::string& folder) {
   const std::string file = jobs::store_file(folder, {});
   if (!fs::exists(file))
     throw IoError(fmt::format("{}: has no store yet; phyllite study {} {}", file,
-                              jobs::shards_in(folder).empty() ? "resume" : "merge", sh_word(folder)));
+                              jobs::shards_in(folder).empty() ? "resume" : "merge", shell_word(folder)));
   return study::Store(file, study::Sharing::reading);
 }
 
@@ -197,10 +208,11 @@ int effects_of_study(const StudyArguments& args, const Session& session) {
   const study::Plan plan = study::make_plan(jobs::study_in(args.folder));
   study::StudyRows rows = study::rows_of(plan, store_in(args.folder));
   tell_versions(rows, session.terminal_width);
+  // A copy in memory: the store keeps each test's own verdict.
   if (args.with_untrusted) rows = study::with_untrusted(std::move(rows));
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
-                             "`phyllite study resume " + sh_word(args.folder) + "`"});
+                             "`phyllite study resume " + shell_word(args.folder) + "`"});
   jobs::write_effects(plan, rows, folder);
   print_out("{}", study::effects_text(plan, rows, session.terminal_width));
   return 0;
@@ -211,6 +223,7 @@ int merge_stores(const StudyArguments& args, const Session& session) {
   if (!fs::is_directory(args.folder))
     throw IoError(args.folder + ": is no folder; name the --out of `phyllite study`");
   if (stores.empty()) stores = jobs::shards_in(args.folder);
+  // The first of two different rows stays: the order must not depend on the file system.
   std::sort(stores.begin(), stores.end());
   if (stores.empty())
     throw IoError(args.folder + ": holds no shard-*.sqlite; name the stores behind the folder");
@@ -224,16 +237,18 @@ int merge_stores(const StudyArguments& args, const Session& session) {
     print_out("{}: {} added, {} known\n", name, report.n_added, report.n_known);
     for (const std::string& key : report.different)
       print_out("  {} differs from the row that is there, which stays\n", key);
+    // Equal keys with unequal results mean two versions or machines that do not agree: the user must know.
     n_different += report.different.size();
   }
   study::StudyRows rows = store.rows(store.keys());
+  // Shards may be collected in a folder without the study, only to be joined.
   if (fs::exists(fs::path(args.folder) / "study.toml")) {
     const study::Plan plan = study::make_plan(jobs::study_in(args.folder));
     rows = study::rows_of(plan, store);
     report_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
       print_out("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
-                sh_word(args.folder));
+                shell_word(args.folder));
   }
   print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
   return n_different > 0 ? 1 : 0;
@@ -287,6 +302,7 @@ void refuse_unused(const CLI::App& study, const CLI::App& verb) {
   const std::string name = "phyllite study " + verb.get_name();
   std::vector<Problem> problems;
   for (const CLI::Option* option : study.get_options()) {
+    // A resumed study may be split and spread as a new one; nothing else of it can change.
     const bool used =
         verb.get_name() == "resume" &&
         (option->check_name("--shard") || option->check_name("--mpi") || option->check_name("--dry-run"));
@@ -325,6 +341,7 @@ void add_study_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<StudyArguments>();
   CLI::App* study = app.add_subcommand("study", "run many specimens: parameters, packings, angles");
   add_study_options(*study, *args);
+  // `phyllite study FILE` runs without a verb, so none is required.
   study->require_subcommand(0, 1);
   const auto verb = [&](const char* name, const char* meaning) {
     CLI::App* sub = study->add_subcommand(name, meaning);

@@ -31,6 +31,7 @@ std::size_t n_packings_to_make(const study::Plan& plan) {
   for (const study::Batch& b : plan.batches) {
     if (b.tests.empty()) continue;
     const Recipe& r = plan.tests[b.tests.front()].recipe;
+    // Imported discs are read, not made.
     if (r.packing.file.empty() && !genesis::is_cached(r, genesis::default_cache_folder()))
       keys.insert(genesis::packing_key(r.specimen, r.packing, r.matrix));
   }
@@ -44,6 +45,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   double cost = 0.0;
   for (const study::Batch& b : plan.batches)
     for (const std::size_t t : b.tests) {
+      // Batches are those of this part; the plan lists the tests of all parts.
       ++mine;
       if (!rows[t]) ++left, cost += plan.tests[t].cost;
     }
@@ -61,6 +63,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   if (s.solver == study::Solver::direct)
     print_wrapped(width, 10, "solver    direct elastic solution, no time steps\n");
   else {
+    // One speed for all would be wrong to print where the study sets it by angle.
     const bool has_speeds = std::any_of(s.by_angle.begin(), s.by_angle.end(), [](const study::ByAngle& b) {
       return b.key.path() == "test.platen_speed";
     });
@@ -86,6 +89,7 @@ std::size_t print_failures(const study::Plan& plan, const study::StudyRows& rows
       print_out("\nwithout {}:\n", plan.study.solver == study::Solver::direct
                                        ? "an elastic solution"
                                        : "a peak, or not to be trusted");
+    // Several runs may share a test; the first names a point that the user knows.
     const auto run =
         std::find_if(plan.runs.begin(), plan.runs.end(), [&](const study::Run& r) { return r.test == t; });
     const Outcome& o = rows[t]->result.outcome;
@@ -104,6 +108,7 @@ std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows) 
 }
 
 std::string lanes_text(const study::LaneUse& use) {
+  // Everything came from the store: a share of nothing.
   if (!(use.contact_steps > 0.0)) return "";
   const std::string full =
       use.alone() < 1.0 ? fmt::format("lanes of tests side by side {:.0f} % full, ", 100.0 * use.occupancy())

@@ -11,7 +11,9 @@ namespace {
 
 int first_error = 0;  // of standard output
 
+// The first error is the cause; later ones often say only that the stream is broken.
 void note(bool written) {
+  // The C library need not set errno when a write fails.
   if (!written && first_error == 0) first_error = errno != 0 ? errno : EIO;
 }
 
@@ -23,6 +25,7 @@ void write_out(std::string_view text) {
   note(std::fwrite(safe.data(), 1, safe.size(), stdout) == safe.size());
 }
 
+// Progress that cannot be shown must not end hours of tests: no error is kept.
 void write_err(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void flush_out() {

@@ -22,6 +22,7 @@ void print_check(const verification::Check& k, int width) {
   const std::string line =
       fmt::format("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.2g}  {}\n", verdict,
                   k.expected, k.measured, k.tolerance, k.what);
+  // The line break counts as a character of the line and takes no column.
   if (width <= 0 || line.size() <= static_cast<std::size_t>(width) + 1) {
     print_out("{}", line);
     return;
@@ -55,6 +56,7 @@ std::vector<std::string> ids_of_cases() {
   std::vector<std::string> names;
   for (const verification::VerificationCase& c : verification::verification_cases())
     if (std::find(names.begin(), names.end(), c.id) == names.end()) names.push_back(c.id);
+  // By length first: V2 stands before V10.
   std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
   });
@@ -78,6 +80,7 @@ std::string verdict_of(const std::vector<verification::GoldenHash>& hashes) {
       "does a change of the source: there `make record` writes new ones down. In a build as it was "
       "published it is an error: please report it with compiler and processor\n",
       n, hashes.size(), phy::program,
+      // The first hash is that of the packing: where it differs, every test starts from other discs.
       hashes.front().equal() ? "" : ", from its packing on, which all others follow from");
 }
 
@@ -117,9 +120,11 @@ int verify(const std::string& only, bool markdown, int width) {
     else
       print_plain(c, checks, width);
   }
+  // Found after the loop: only the list of cases knows their names.
   if (n_checks == 0)
     throw InputError(
         Problem{"command line", "case", only, fmt::format("one of {}", fmt::join(ids_of_cases(), ", ")), ""});
+  // Whoever counts the cases finds a gap at V16; the page says where it went.
   if (only.empty()) print_out("{}V16 is a unit test of src/genesis (make test).\n", markdown ? "\n" : "");
   print_out("{}{} checks, {} failed\n", markdown ? "\n" : "", n_checks, n_failed);
   return n_failed == 0 ? 0 : 1;
@@ -132,7 +137,7 @@ void add_verify_command(CLI::App& app, Session& session) {
   auto hash = std::make_shared<bool>(false);
   auto only = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand("verify", "compare the program with closed forms");
-  CLI::Option* page = verb->add_flag("--markdown", *markdown, "write the page docs/verification.md");
+  CLI::Option* page = verb->add_flag("--markdown", *markdown, "print the page docs/verification.md");
   CLI::Option* one = verb->add_option("case", *only, "run one case only, for example V6")
                          ->type_name("CASE")
                          ->check(suggested(ids_of_cases));

@@ -13,10 +13,12 @@
 #include "base/parallel.hpp"
 #include "base/quote.hpp"
 #include "base/version.hpp"
+#include "gui/grab.hpp"
 #include "gui/imports.hpp"
 #include "gui/options.hpp"
 #include "gui/project.hpp"
 #include "gui/recipes.hpp"
+#include "gui/results.hpp"
 #include "io/file.hpp"
 #include "io/json.hpp"
 #include "io/load.hpp"
@@ -27,9 +29,10 @@
 #include "jobs/folder_lock.hpp"
 #include "jobs/machine.hpp"
 #include "jobs/press_watch.hpp"
+#include "jobs/report.hpp"
 #include "jobs/rock_base.hpp"
 #include "records/test_description.hpp"
-#include "rock/file.hpp"
+#include "rock/schema.hpp"
 #include "system/files.hpp"
 
 namespace phy::gui {
@@ -43,6 +46,7 @@ constexpr std::size_t longest_command = 4096;       // at the beginning of a log
 constexpr std::size_t largest_answer = 16U << 20U;  // calibration.json and the like
 constexpr std::chrono::milliseconds at_once{1500};  // in which a refused command has ended
 
+// Logs and files of users need not be UTF-8; a page without an answer would be worse than a replaced letter.
 Response json(const Json& j, int status = 200) {
   return {status, "application/json", j.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
@@ -63,6 +67,7 @@ std::string path_in(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
+// Beside the folder: the log begins before the command has made it.
 std::string log_of(const std::string& folder) { return folder + ".log"; }
 
 /// The command that a child was (gui/child.hpp), and what it has printed last.
@@ -74,10 +79,12 @@ struct Log {
 Log log_in(const std::string& file) {
   try {
     const io::InputFile log(file);
+    // Head and tail alone: a calibration of a night prints more than a page should hold.
     const std::string head = log.read(0, longest_command);
     const std::size_t from = log.size() - std::min(log.size(), longest_log);
     const std::string tail = log.read(from, longest_log);
     return {head.starts_with("$ ") ? head.substr(2, head.find('\n') - 2) : "",
+            // Cut at a line, which also cuts no letter of UTF-8 in two.
             from == 0 ? tail : tail.substr(tail.find('\n') + 1)};
   } catch (const IoError&) {
     return {};
@@ -85,6 +92,7 @@ Log log_in(const std::string& file) {
 }
 
 /// Null where there is no such file, or no JSON in it.
+// A file may be half written or missing at any moment: that is no error of the request.
 Json json_in(const std::string& file) {
   try {
     const auto text = io::read_if_file(file, largest_answer);
@@ -130,6 +138,7 @@ Json specimen_json(const Json& result, const TestDescription* test) {
             {"notes", Json::array()}};
   const Json marks = value_in(result, {"quality", "marks"});
   for (const Json& mark : marks)
+    // Results of an earlier version have other keys; what lacks is left out.
     if (const Json says = value_in(mark, {"says"}); says.is_string()) j["notes"].push_back(says);
   if (test == nullptr) return j;
   const TestQuantity made_for = test->curve.quantity();
@@ -167,10 +176,22 @@ std::string said_in(const std::map<std::string, std::string>& query, const char*
 /// Where something is tested: a calibration, or a test.
 std::string folder_of(const std::map<std::string, std::string>& query) {
   const std::string name = said_in(query, "name"), test = said_in(query, "test");
+  // A name becomes part of a path: "../" in it would lead out of the folder.
   check_name(name);
   if (test.empty()) return calibration_of(name, said_in(query, "calibration"));
   check_name(test);
   return path_in(tests_of(name), test);
+}
+
+/// The recipe that a calibration has left.
+std::string model_of(const Json& asked) {
+  const std::string name = asked.at("name");
+  check_name(name);
+  const std::string folder = calibration_of(name, get<std::string>(asked, "calibration", ""));
+  std::string recipe = path_in(folder, "calibrated.toml");
+  if (!exists(recipe))
+    throw InputError(Problem{"", "rock", name, "a rock that has been calibrated", "calibrate it first"});
+  return recipe;
 }
 
 Json choices_of(const char* key) { return find_field(rock::rock_schema().fields, key)->choices; }
@@ -180,6 +201,7 @@ Json choices_of(const char* key) { return find_field(rock::rock_schema().fields,
 Response Api::answer(const Request& request) {
   try {
     Response response = route(request);
+    // What was read cannot be written over by the same job; each request is a job of its own.
     io::forget_reads();
     return response;
   } catch (const Changed& e) {
@@ -187,6 +209,7 @@ Response Api::answer(const Request& request) {
   } catch (const InputError& e) {
     return error(400, e.what());
   } catch (const Json::exception&) {
+    // After an update an open tab still runs the old page.
     return error(400, "not what the page of this version asks: load the page anew");
   } catch (const std::exception& e) {
     return error(500, e.what());
@@ -195,25 +218,40 @@ Response Api::answer(const Request& request) {
 
 Response Api::route(const Request& request) {
   const bool reads = request.method == "GET";
+  // Before check_home: even without its folder the page should load and say what is wrong.
   if (reads && request.path == "/")
     return {200, "text/html; charset=utf-8", std::string(embedded("web/gui.html"))};
   check_home();
   if (reads && request.path.starts_with("/files/")) {
     const auto file = served_file(request.path.substr(7));
     if (!file) return error(404, "no such file in the folder of `phyllite gui`");
+    // Opened here, sent later: what is sent is the file that was checked.
     return {200, content_type(*file), "", std::make_shared<io::InputFile>(*file)};
   }
-  if (reads && request.path == "/api/project") return json(project());
-  if (reads && request.path == "/api/rock")
-    return json(rock(said_in(request.query, "name"), said_in(request.query, "calibration")));
-  if (reads && request.path == "/api/press") {
-    const auto text = io::read_if_file(path_in(folder_of(request.query), jobs::press_file), largest_answer);
-    return {200, "application/json", text ? *text : "null"};
-  }
-  if (reads && request.path == "/api/base") return json(rock_like(said_in(request.query, "name")));
-  if (reads) return error(404, "no such address");
+  if (reads) return read(request);
   if (request.path == "/api/table") return json(table_from(request.body, said_in(request.query, "name")));
   return changed(request);
+}
+
+/// What has no body.
+Response Api::read(const Request& request) {
+  if (request.path == "/api/project") return json(project());
+  if (request.path == "/api/press") {
+    const auto text = io::read_if_file(path_in(folder_of(request.query), jobs::press_file), largest_answer);
+    // Passed on as it is: megabytes four times a second would be parsed for nothing.
+    return {200, "application/json", text ? *text : "null"};
+  }
+  const std::string name = said_in(request.query, "name");
+  if (request.path == "/api/base") return json(rock_like(name));
+  constexpr std::string_view of_rocks[] = {"/api/rock", "/api/results", "/api/broken"};
+  if (std::ranges::find(of_rocks, request.path) == std::end(of_rocks)) return error(404, "no such address");
+  check_name(name);
+  const std::string calibration = said_in(request.query, "calibration");
+  if (request.path == "/api/rock") return json(rock(name, calibration));
+  if (request.path == "/api/results") return json(results_answer(name, calibration_of(name, calibration)));
+  const std::string test = said_in(request.query, "test");
+  check_name(test);
+  return json(broken_answer(name, test));
 }
 
 /// What has a body of JSON.
@@ -223,18 +261,20 @@ Response Api::changed(const Request& request) {
     check_name(asked.at("name").get<std::string>());
     return json(check_answer(asked.at("name"), asked.at("toml"), text_or_null(asked.at("table"))));
   }
-  if (request.path == "/api/recipe") {
-    const std::string name = asked.at("name");
-    check_name(name);
-    const std::string folder = calibration_of(name, get<std::string>(asked, "calibration", ""));
-    const std::string base = path_in(folder, "calibrated.toml");
-    if (!exists(base))
-      throw InputError(Problem{"", "rock", name, "a rock that has been calibrated", "calibrate it first"});
-    return json(recipe_answer(base, asked.at("changes").get<std::map<std::string, std::string>>()));
+  if (request.path == "/api/discs") {
+    check_name(asked.at("name").get<std::string>());
+    return json(discs_answer(asked.at("name"), asked.at("toml"), text_or_null(asked.at("table"))));
   }
+  if (request.path == "/api/recipe")
+    return json(
+        recipe_answer(model_of(asked), asked.at("changes").get<std::map<std::string, std::string>>()));
+  if (request.path == "/api/moduli") return json(moduli_answer(model_of(asked), asked.at("theta")));
+  // Before the lock: stopping must not wait for a save or a start.
   if (request.path == "/api/stop") return json(stop(asked));
+  // Two tabs may save or start at once; the second must see what the first has done.
   const std::lock_guard lock(changes_);
   if (request.path == "/api/save") return saved(asked);
+  if (request.path == "/api/report") return json(report(asked));
   if (request.path == "/api/calibrate") return json(calibrate(asked));
   if (request.path == "/api/test") return json(run_test(asked));
   return error(404, "no such address");
@@ -245,6 +285,7 @@ Response Api::saved(const Json& asked) {
   try {
     return json(save(asked));
   } catch (const Changed& e) {
+    // Both versions at once, so that the page can show them side by side.
     const RockFiles now = read_rock_files(asked.at("name"));
     Json j = {{"error", e.what()}, {"toml", now.toml}, {"table", nullptr}, {"stamp", now.stamp}};
     if (now.table) j["table"] = *now.table;
@@ -291,14 +332,17 @@ Json Api::rock(const std::string& name, const std::string& chosen) {
 }
 
 Api::Work Api::work_in(const std::string& folder) {
+  // Before the lock, since it looks at a file.
   const int other = jobs::working_in(folder);
   const std::lock_guard lock(mutex_);
   const auto child = children_.find(folder);
   if (child != children_.end() && child->second->running()) {
     const int process = child->second->process();
+    // The page asks once a second: that is the clock by which patience with an ending process runs out.
     if (child->second->ending.asked(process)) child->second->ending.ask(process);
     return {process, true, -1};
   }
+  // A process number is given out again: what was asked of the last owner must not hit the next.
   if (other <= 0) others_.erase(folder);
   if (const auto ending = others_.find(folder); ending != others_.end() && ending->second.asked(other))
     ending->second.ask(other);
@@ -306,10 +350,11 @@ Api::Work Api::work_in(const std::string& folder) {
 }
 
 std::string Api::state_of_calibration(const std::string& folder) {
-  const bool finished = exists(path_in(folder, "calibration.json"));
-  const Json reported = value_in(json_in(path_in(folder, jobs::watch_file)), {"state"});
+  // Asked first: a process that is gone by now has written its report.
   const Work work = work_in(folder);
   if (work.process != 0) return "running";
+  const bool finished = exists(path_in(folder, "calibration.json"));
+  const Json reported = value_in(json_in(path_in(folder, jobs::watch_file)), {"state"});
   // without a process "running" was killed; the report may be missing though all else is there
   if (finished && (reported.is_null() || reported == "finished")) return "finished";
   if (reported == "stopped" || reported == "running") return "stopped";
@@ -355,8 +400,10 @@ Json Api::calibration(const std::string& name, const std::string& folder) {
   const std::string state = state_of_calibration(folder);
   jobs::CalibrationRequest next = earlier.value_or(jobs::CalibrationRequest{});
   next.rock = name + ".toml", next.out = folder;
+  // A calibration that is finished begins anew; only what was cut short goes on.
   next.resume = earlier && (state == "stopped" || state == "failed");
   return {{"state", state},
+          // What runs shows the command that started it, all else the one that a click would start.
           {"command", here ? log.command : command_of(jobs::command_line_of(next))},
           {"resumes", next.resume},
           {"folder", folder},
@@ -380,12 +427,14 @@ Json Api::test(const std::string& rock, const std::string& name) {
       if (const Json result = json_in(path_in(of, "result.json")); result.is_object())
         specimens.push_back(specimen_json(result, kind));
   const auto [process, here, code] = work_in(folder);
+  // Exit codes 0 and 1 are results, the second of a test without a peak.
   const std::string state = process != 0                             ? "running"
                             : code >= 2                              ? "failed"
                             : exists(path_in(folder, "report.html")) ? "finished"
                             : specimens.empty() && code < 0          ? "new"
                                                                      : "stopped";
   Json files = files_in(folder, {"report.html"});
+  // The recipe lies beside the folder, as it is there before the test is.
   files.push_back(recipe);
   return {{"name", name},
           {"state", state},
@@ -411,6 +460,7 @@ Json Api::start(const std::vector<std::string>& words, const std::string& folder
     throw InputError(Problem{"", folder, "", "nothing that works there", "it is running already"});
   std::vector<std::string> all = words;
   if (threads_ > 0) all.insert(all.end(), {"--threads", fmt::format("{}", threads_)});
+  // Under another name: a command that is refused must not cost the log of the run before it.
   const std::string log = log_of(folder) + ".begun";
   auto child = std::make_unique<Child>(all, log);
   {
@@ -426,6 +476,7 @@ Json Api::start(const std::vector<std::string>& words, const std::string& folder
 void Api::check_started(const std::string& folder, const std::string& log) {
   const auto start = std::chrono::steady_clock::now();
   while (has_threads && work_in(folder).here && std::chrono::steady_clock::now() - start < at_once &&
+         // A lock on the folder means that all checks are passed.
          jobs::working_in(folder) == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   std::error_code none;
@@ -434,6 +485,7 @@ void Api::check_started(const std::string& folder, const std::string& log) {
   fs::remove(log, none);
   const std::lock_guard lock(mutex_);
   children_.erase(folder);
+  // The command's own words, without the line that names it.
   throw InputError(Problem{said.substr(said.find('\n') + 1), "", "", "", ""});
 }
 
@@ -444,16 +496,30 @@ Json Api::calibrate(const Json& asked) {
     throw InputError(Problem{"", "rock", name, "a rock that has been saved", "save it first"});
   const std::string now = calibration_of(name, get<std::string>(asked, "calibration", ""));
   for (const std::string& other : calibrations_of(name))
+    // Two would share the cores, and both take twice as long.
     if (work_in(other).process != 0)
       throw InputError(Problem{"", other, "", "one calibration of a rock at a time", "stop the other first"});
   const auto earlier = jobs::request_in(now);
+  // Options of the first start: others would be refused, as they change the result.
   const bool resume = earlier && get(asked, "resume", false);
   jobs::CalibrationRequest request = resume ? *earlier : request_from(get(asked, "options", Json::object()));
   request.resume = resume;
   request.rock = name + ".toml";
   request.out = get(asked, "anew", false) ? next_calibration_of(name) : now;
+  // A link of this name may lead anywhere.
   check_inside(request.out);
   return start(jobs::command_line_of(request), request.out);
+}
+
+/// Of a calibration, anew: what its rock file says of the first page may have changed.
+Json Api::report(const Json& asked) {
+  const std::string name = asked.at("name");
+  check_name(name);
+  const std::string folder = calibration_of(name, get<std::string>(asked, "calibration", ""));
+  if (!exists(path_in(folder, "calibration.json")) || work_in(folder).process != 0)
+    throw InputError(Problem{"", folder, "", "a calibration that has ended", ""});
+  jobs::write_report(folder);
+  return Json::object();
 }
 
 Json Api::stop(const Json& asked) {
@@ -477,7 +543,9 @@ Json Api::run_test(const Json& asked) {
   check_name(rock), check_name(name);
   const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
   const auto typed = text_or_null(asked.at("toml"));
+  // Without a text an existing test goes on: its recipe lies there.
   const std::string toml = typed ? *typed : io::read_file(recipe, largest_document);
+  // The same recipe again is no conflict, but another one would leave results without their recipe.
   if (work_in(folder).process != 0 || (exists(recipe) && io::read_if_file(recipe) != toml))
     throw InputError(Problem{"", "name", name, "a name that is free", "a test of this name is there"});
   // throws: a recipe that cannot run, or lacks what its test keeps, takes no name
@@ -491,9 +559,11 @@ void Api::end() {
   std::map<std::string, std::unique_ptr<Child>> all;
   {
     const std::lock_guard lock(mutex_);
+    // Taken out under the lock and ended without it, as waiting may take seconds.
     all.swap(children_);
   }
   for (const auto& [folder, child] : all)
+    // All are asked before any is waited for: they end side by side.
     if (child->running()) child->ending.ask(child->process());
 }
 

@@ -6,11 +6,16 @@
 //   GET  /api/project     folder, rocks, choices
 //   GET  /api/rock        ?name=&calibration=: files, calibrations, tests of a rock; one calibration in full
 //   GET  /api/press       ?name=&calibration=&test=: the specimen that is in the press there; null: none
+//   GET  /api/results     ?name=&calibration=: figures of laboratory, calibration and tests
+//   GET  /api/broken      ?name=&test=: the specimens of a test as they broke
 //   GET  /api/base        ?name=: table and rock file of a measured rock of the program
 //   POST /api/table       ?name=: a workbook; answers its table as text
 //   POST /api/check       what `phyllite rock check` says of texts that are being typed
+//   POST /api/discs       the specimen that a rock file describes
+//   POST /api/moduli      E and nu of the calibrated rock at an angle
 //   POST /api/save        the rock and its table
 //   POST /api/calibrate   starts, goes on with, or begins afresh
+//   POST /api/report      of a calibration, anew
 //   POST /api/stop        a calibration, or a test
 //   POST /api/recipe      a recipe for a test on the calibrated rock
 //   POST /api/test        saves it and runs it
@@ -64,6 +69,7 @@ class Api {
   std::map<std::string, Brief> briefs_;                     // by folder
 
   Response route(const Request& request);
+  Response read(const Request& request);
   Response changed(const Request& request);
   Json project();
   Json rock(const std::string& name, const std::string& chosen);
@@ -74,6 +80,7 @@ class Api {
   Json test(const std::string& rock, const std::string& name);
   Json save(const Json& asked);
   Json calibrate(const Json& asked);
+  Json report(const Json& asked);
   Json stop(const Json& asked);
   Json run_test(const Json& asked);
   Response saved(const Json& asked);

@@ -18,10 +18,12 @@ std::string line_of(const std::vector<std::string>& cells) {
 
 Json table_from(std::string_view bytes, const std::string& file) {
   const io::Table table = io::parse_table(bytes, file);
+  // Problems beside rows are shown in the page at their cells; without rows there is nowhere to show them.
   if (table.rows.empty() && !table.problems.empty()) throw InputError(table.problems);
   if (table.rows.empty())
     throw InputError(Problem{file, "", "", "a table: a row of headings, and values below them", ""});
   std::string text = line_of(table.header);
+  // As CSV, whatever it was: the page edits one format, and that is what it saves.
   for (const io::TableRow& row : table.rows) text += line_of(row.cells);
   return {{"table", text}};
 }
@@ -29,6 +31,7 @@ Json table_from(std::string_view bytes, const std::string& file) {
 Json rock_like(const std::string& measured) {
   Json j;
   for (const jobs::BaseFile& f : jobs::base_files(measured)) {
+    // The model and the card stay behind: the copy is a rock of the user's, not yet calibrated.
     if (f.name == "rock.toml") j["toml"] = f.text;
     if (f.name == "table.csv") j["table"] = f.text;
   }

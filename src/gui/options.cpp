@@ -13,6 +13,7 @@ io::TomlValue value_of(const Json& value) {
   if (value.is_string()) made.kind = Kind::text, made.text = value.get<std::string>();
   if (value.is_boolean()) made.kind = Kind::boolean, made.number = value.get<bool>() ? 1.0 : 0.0;
   if (value.is_number()) made.number = value.get<double>(), made.text = value.dump();
+  // An integer with its digits as text, as the reader of TOML keeps it.
   if (value.is_number()) made.kind = value.is_number_integer() ? Kind::integer : Kind::number;
   return made;
 }
@@ -35,6 +36,7 @@ Json options_json() {
 jobs::CalibrationRequest request_from(const Json& options) {
   io::TomlValue keys;
   keys.kind = io::TomlValue::Kind::table;
+  // The tree of the TOML reader: ranges and words are checked as in a file.
   for (const auto& [key, value] : options.items())
     keys.keys.push_back({key, 0}), keys.items.push_back(value_of(value));  // line 0: of no file
   return jobs::request_of(std::move(keys), "");

@@ -16,6 +16,7 @@
 #include "io/toml_tree.hpp"
 #include "rock/file.hpp"
 #include "rock/template.hpp"
+#include "system/links.hpp"
 
 namespace phy::gui {
 
@@ -24,6 +25,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t largest_text = 4 << 20;
+// File names have at most 255 bytes on most systems; endings, "-calibration-12" and temporary names follow
+// it.
 constexpr std::size_t longest_name = 80;
 
 bool is_text(const std::string& bytes) {
@@ -62,6 +65,7 @@ std::string data_of(const std::string& toml) {
 
 bool is_table_name(const std::string& name) {
   const std::string ending = fs::path(name).extension().string();
+  // The table is typed in the page and written under this name: it must stay in the folder and be a text.
   return fs::path(name) == fs::path(name).filename() && !name.starts_with('.') && is_plain(name) &&
          (ending == ".csv" || ending == ".tsv" || ending == ".txt");
 }
@@ -85,6 +89,9 @@ bool exists(const std::string& path) {
 
 void check_name(const std::string& name) {
   const bool good = !name.empty() && name.size() <= longest_name && is_plain(name) &&
+                    // Quotes would have to be escaped in the rock file and in the command that the page
+                    // shows.
+                    // A dash in front would be read as an option.
                     name.find_first_of("/\\\"'") == name.npos && name.front() != '.' && name.front() != '-' &&
                     name.front() != ' ' && name.back() != ' ';
   if (!good)
@@ -105,6 +112,7 @@ std::vector<std::string> rock_names() {
     const fs::path file = fs::path(path).filename();
     if (file.extension() != ".toml" || file.string().starts_with('.')) continue;
     const auto text = text_of(file.string());
+    // Recipes and studies are TOML, too; only a rock names a table.
     if (text && !data_of(*text).empty()) names.push_back(file.stem().string());
   }
   return names;
@@ -114,6 +122,7 @@ RockFiles read_rock_files(const std::string& name) {
   check_name(name);
   if (!exists(toml_file(name))) {
     const std::string csv = name + ".csv", toml = rock::rock_template(name, csv);
+    // A table is there and no rock file: the page begins with the user's own values.
     if (const auto table = text_of(csv)) return {toml, csv, table, stamp_of("", *table)};
     return {toml, csv, rock::rock_table_template(), ""};
   }
@@ -122,6 +131,7 @@ RockFiles read_rock_files(const std::string& name) {
   RockFiles rock{*toml, table_named_in(*toml, name + ".csv"), {}, ""};
   if (is_table_name(rock.table_file)) {
     rock.table = text_of(rock.table_file);
+    // Named but not there: an empty grid to be filled in.
     if (!exists(rock.table_file)) rock.table = "";
   }
   rock.stamp = stamp_of(rock.toml, rock.table.value_or(""));
@@ -130,6 +140,7 @@ RockFiles read_rock_files(const std::string& name) {
 
 std::string save_rock(const std::string& name, const std::string& toml,
                       const std::optional<std::string>& table, const std::string& stamp) {
+  // Read again at the moment of saving: the page may be hours old.
   const RockFiles before = read_rock_files(name);
   if (before.stamp != stamp) throw Changed("the files of this rock have been changed since they were shown");
   check_size(toml, toml_file(name));
@@ -148,6 +159,7 @@ std::string save_rock(const std::string& name, const std::string& toml,
   if (table && another && exists(table_file) && text_of(table_file) != table)
     throw InputError(Problem{toml_file(name), "data", table_file, "a name that is free",
                              "another table lies there, which is not written over"});
+  // The table first: a rock file that names a missing one could not be read.
   if (table) io::write_file(table_file, *table);
   io::write_file(toml_file(name), toml);
   return read_rock_files(name).stamp;
@@ -155,6 +167,7 @@ std::string save_rock(const std::string& name, const std::string& toml,
 
 namespace {
 
+// The first has no number, as most rocks are calibrated once.
 std::string numbered(const std::string& rock, int k) {
   return k == 1 ? rock + "-calibration" : fmt::format("{}-calibration-{}", rock, k);
 }
@@ -169,6 +182,7 @@ std::vector<int> calibration_numbers(const std::string& rock) {
     int k = 0;
     if (!name.starts_with(stem)) continue;
     const auto [end, error] = std::from_chars(name.data() + stem.size(), name.data() + name.size(), k);
+    // Written back and compared: "-02" or "-3x" is a folder of the user's.
     if (error == std::errc() && k > 1 && name == numbered(rock, k) && fs::is_directory(name))
       numbers.push_back(k);
   }
@@ -178,10 +192,12 @@ std::vector<int> calibration_numbers(const std::string& rock) {
 
 /// A path from this folder, links followed; nothing: it leads out, or cannot be found.
 std::optional<fs::path> below_home(const fs::path& path) {
-  std::error_code gone, error;
-  const fs::path home = fs::canonical(".", gone), place = fs::weakly_canonical(home / path, error);
-  const fs::path below = place.lexically_relative(home);
-  if (gone || error || below.empty() || *below.begin() == "..") return {};
+  // Both are followed to their ends: a link in the folder, and a folder that is itself a link.
+  const auto home = system::followed("."), place = system::followed(path);
+  if (!home || !place) return {};
+  // Compared by parts: "/rocks-old" begins with "/rocks" and is not below it.
+  const fs::path below = place->lexically_relative(*home);
+  if (below.empty() || *below.begin() == "..") return {};
   return below;
 }
 
@@ -195,6 +211,7 @@ std::vector<std::string> calibrations_of(const std::string& rock) {
 std::string calibration_of(const std::string& rock, const std::string& chosen) {
   const std::vector<std::string> all = calibrations_of(rock);
   if (chosen.empty()) return all.empty() ? numbered(rock, 1) : all.front();
+  // Only names that were found on disk: a request cannot name a folder of its own.
   if (std::find(all.begin(), all.end(), chosen) == all.end())
     throw InputError(Problem{"", "calibration", chosen, "a calibration of this rock", ""});
   return chosen;
@@ -223,13 +240,16 @@ std::optional<std::string> served_file(const std::string& path) {
   std::error_code error;
   const fs::path asked(path);
   if (asked.is_absolute()) return {};
+  // Before links are followed: ".." and hidden names are refused as they were typed.
   for (const fs::path& part : asked)
     if (part.empty() || part.string().starts_with('.') || part.string().find('\\') != std::string::npos)
       return {};
   const auto file = below_home(asked);
+  // A pipe or device would let the answer wait for ever.
   if (!file || !fs::is_regular_file(*file, error)) return {};
   if (file->filename() == way_in_file) return {};  // whoever reads it can do everything
   const auto is_hidden = [](const fs::path& part) { return part.string().starts_with('.'); };
+  // Again behind the links: an innocent name may lead to a hidden file.
   if (std::any_of(file->begin(), file->end(), is_hidden)) return {};
   return file->generic_string();
 }
@@ -245,6 +265,7 @@ std::string content_type(const std::string& path) {
                                                            {".py", "text/plain; charset=utf-8"},
                                                            {".p2dat", "text/plain; charset=utf-8"}};
   const auto type = types.find(fs::path(path).extension().string());
+  // Unknown endings are downloaded, never shown: a browser would guess a type.
   return type == types.end() ? "application/octet-stream" : type->second;
 }
 

@@ -31,7 +31,9 @@ const char* kind_in_words(FieldKind kind) {
 io::TomlValue value_of(const std::string& text) {
   std::vector<Problem> problems;
   try {
+    // By the reader of recipes, so that "10 MPa", 10 and [0, 45] mean here what they mean in a file.
     io::TomlValue root = io::parse_toml("x = " + text, "", problems);
+    // A line break in the text would bring a second key with it.
     if (problems.empty() && root.items.size() == 1) return std::move(root.items.front());
   } catch (const InputError&) {  // a word without quotes
   }
@@ -75,6 +77,7 @@ std::optional<Problem> missing_stress(const Recipe& recipe) {
 Json field_json(const Field& f) {
   Json key = {
       {"path", f.path()}, {"meaning", f.meaning}, {"range", range_text(f)}, {"kind", kind_in_words(f.kind)}};
+  if (!f.read_by.empty()) key["tests"] = f.read_by;
   if (!f.choices.empty()) key["choices"] = f.choices;
   if (const std::string unit = inner_unit(f.dimension); unit != "1") key["unit"] = unit;
   return key;
@@ -83,6 +86,7 @@ Json field_json(const Field& f) {
 Json keys_json() {
   Json keys = Json::array();
   for (const Field& f : recipe_fields())
+    // The rest of the recipe is calibrated: who changes it tests another rock.
     if (f.table == test_table) keys.push_back(field_json(f));
   return keys;
 }
@@ -107,6 +111,7 @@ Json recipe_answer(const std::string& base, const std::map<std::string, std::str
   };
   for (const auto& [path, text] : changes) {
     const Field* field = find_field(recipe_fields(), path);
+    // The page offers no others; a request might.
     if (field == nullptr || field->table != test_table) {
       problem(path, "no key of a test; " + io::recipe_key_hint(path));
       continue;
@@ -115,10 +120,12 @@ Json recipe_answer(const std::string& base, const std::map<std::string, std::str
     if (!take(*field, value_of(text), recipe, remedy))
       problem(path, "expected " + range_text(*field) + (remedy.empty() ? "" : "; " + remedy));
   }
+  // The page shows a problem beside its control, so that its key need not stand in the text.
   const auto problem_of = [&](Problem p) {
     const std::string key = std::exchange(p.key, "");
     problem(key, to_line(p));
   };
+  // Checks across keys assume that each key holds a value of its own range.
   if (problems.empty())
     for (const Problem& p : cross_checks(recipe, [](const std::string&) { return std::string(); }))
       problem_of(p);

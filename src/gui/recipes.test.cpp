@@ -46,6 +46,18 @@ TEST_F(RecipesTest, AKeyWithADimensionHasTheUnitOfItsValues) {
   EXPECT_EQ(unit_of("test.intact"), "none");
 }
 
+// A page offers keys by the test: every word "biaxial: " in a meaning stands in the list, too.
+TEST_F(RecipesTest, AKeyOfOneTestNamesIt) {
+  for (const Json& key : keys_json()) {
+    std::vector<std::string> said;
+    const std::string meaning = "; " + key["meaning"].get<std::string>();
+    for (const TestDescription* test : laboratory_tests())
+      if (meaning.find(std::string("; ") + test->name + ": ") != meaning.npos) said.emplace_back(test->name);
+    EXPECT_THAT(key.value("tests", std::vector<std::string>()), testing::UnorderedElementsAreArray(said))
+        << key["path"];
+  }
+}
+
 TEST_F(RecipesTest, EveryTestCanBeChosen) {
   for (const TestDescription* test : laboratory_tests()) {
     std::map<std::string, std::string> chosen = {{"test.kind", test->name}, {"test.angles", "[\"30 deg\"]"}};

@@ -30,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds patience{20};  // for a request, and for a connection without one
 constexpr std::size_t largest_header = 16 << 10;
+// A check takes a second on large tables, and must not hold up the clock of another tab.
 constexpr int n_answering = 4;
 constexpr std::chrono::milliseconds patience_at_end{500};
 
@@ -46,6 +47,7 @@ constexpr const char* foreign_policy =
 
 /// Takes as long whatever the difference.
 bool same(const std::string& a, const std::string& b) {
+  // The length is no secret.
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -104,6 +106,7 @@ bool decode_url(const std::string& text, bool plus_is_blank, std::string& decode
     }
     if (i + 2 >= text.size()) return false;
     const int high = digit(text[i + 1]), low = digit(text[i + 2]);
+    // A NUL would end the name of a file early, after it was checked as a whole.
     if (high < 0 || low < 0 || 16 * high + low == 0) return false;
     decoded += static_cast<char>(16 * high + low);
     i += 2;
@@ -128,11 +131,13 @@ class Server::Impl {
         watch_(context_),
         pause_(context_) {
     try {
+      // Never any other address: whoever reaches the page can write files.
       const tcp::endpoint here(net::ip::address_v4::loopback(), port);
       acceptor_.open(here.protocol());
       acceptor_.set_option(net::socket_base::reuse_address(system::ports_linger()));
       acceptor_.bind(here);
       acceptor_.listen();
+      // With port 0 the system has chosen one.
       port_ = acceptor_.local_endpoint().port();
     } catch (const boost::system::system_error& e) {
       throw IoError(fmt::format("127.0.0.1:{}: {}; choose another --port, or 0 for one that is free", port,
@@ -156,6 +161,7 @@ class Server::Impl {
   using Connections = std::list<std::shared_ptr<Connection>>;
 
   void look(const std::atomic<bool>& stop) {
+    // A signal handler may only set a flag, so that somebody has to look.
     if (stop) return context_.stop();
     watch_.expires_after(std::chrono::milliseconds(200));
     watch_.async_wait([this, &stop](const boost::system::error_code&) { look(stop); });
@@ -184,10 +190,12 @@ class Server::Impl {
 
   Tokens tokens_;
   Handler handler_;
+  // Connections live on one thread and need no locks; answers are made on the pool.
   net::io_context context_{1};
   std::mutex mutex_;
   std::condition_variable answered_;
   int n_answering_ = 0;
+  // Behind what answers use: members end in reverse, and the pool waits for its threads.
   net::thread_pool pool_{n_answering};
   tcp::acceptor acceptor_;
   net::steady_timer watch_, pause_;
@@ -230,6 +238,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     parser_->header_limit(static_cast<std::uint32_t>(largest_header));
     waits_ = true, since_ = Clock::now();
     stream_.expires_after(patience);
+    // The head first: who has no token should not be able to send 16 MB.
     http::async_read_header(
         stream_, buffer_, *parser_,
         [self = this->shared_from_this()](beast::error_code error, std::size_t) { self->on_head(error); });
@@ -249,6 +258,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     if (error) return leave();
     request.body = std::move(parser_->get().body());
     waits_ = false;
+    // The answer may take longer than patience with a silent browser.
     stream_.expires_never();
     server_.answer_later([self = this->shared_from_this(), request = std::move(request)] {
       Response response;
@@ -257,6 +267,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
       } catch (const std::exception& e) {
         response = refused(500, e.what());
       }
+      // Back on the thread of the connections, to which the stream belongs.
       net::post(self->server_.context_, [self, response = std::move(response)]() mutable {
         self->answer(std::move(response), self->parser_->get().keep_alive());
       });
@@ -286,8 +297,11 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     message.version(11);
     message.keep_alive(keep);
     message.set(http::field::content_type, response.type);
+    // Files change under the same address, and a token should not lie in a cache.
     message.set(http::field::cache_control, "no-store");
+    // Else a browser may run a text file as a script.
     message.set("X-Content-Type-Options", "nosniff");
+    // The address holds the token.
     message.set("Referrer-Policy", "no-referrer");
     message.set("Cross-Origin-Resource-Policy", "same-origin");
     message.set("Cross-Origin-Opener-Policy", "same-origin");
@@ -336,9 +350,11 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
     const std::string port = port_ == 80 ? "" : fmt::format(":{}", port_);  // 80 is left out
     return place == "127.0.0.1" + port || place == "localhost" + port;
   };
+  // A page elsewhere may let its own name point to 127.0.0.1; only the Host header tells.
   if (head.count(http::field::host) != 1 || !is_here(text(http::field::host)))
     return refused(403, "this is no host that Phyllite serves");
   if (head.count(http::field::origin) > 1) return refused(403, "a request comes from one page");
+  // Programs such as curl send none; the token alone decides about them.
   if (head.count(http::field::origin) > 0) {
     const std::string origin = text(http::field::origin);
     if (!origin.starts_with("http://") || !is_here(origin.substr(7)))
@@ -349,6 +365,7 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
   auto read = request_of(std::string(head.target()));
   if (!read) return refused(400, "no address of this server");
   const std::string token =
+      // In a header where the page asks by script, in the address where a browser opens it.
       head.count("X-Phyllite-Token") > 0 ? std::string(head["X-Phyllite-Token"]) : read->query["token"];
   const bool of_file = head.method() == http::verb::get && read->path.starts_with("/files/");
   if (of_file && same(token, tokens_.file)) return to_key_of(*read, std::string(head.target()));
@@ -358,6 +375,7 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
     return refused(403,
                    "the token is missing or of another start: open the address that `phyllite gui` prints");
   request = std::move(*read);
+  // No answer can repeat what it does not know.
   request.query.erase("token"), request.query.erase("key");
   request.method = std::string(head.method_string());
   return {};

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "calibrate/outlook.hpp"
 #include "gui/project.hpp"
 #include "io/table.hpp"
 #include "jobs/check_summary.hpp"
 #include "jobs/machine.hpp"
+#include "jobs/time_left.hpp"
 #include "report/angle_panels.hpp"
 #include "report/calibration_figures.hpp"
 #include "report/figure_json.hpp"
@@ -41,6 +43,7 @@ int column_of(const io::Table& table, int line, const Problem& problem) {
   int found = -1;
   for (std::size_t i = 0; i < cells->size(); ++i) {
     if (!quoted((*cells)[i])) continue;
+    // Two equal cells: pointing at the wrong one is worse than pointing at the line.
     if (found >= 0) return -1;
     found = static_cast<int>(i);
   }
@@ -51,9 +54,11 @@ Json problem_json(Problem problem, const std::string& toml_file, const std::stri
                   const io::Table& table) {
   const int in_table = line_in(problem.where, table_file), in_rock = line_in(problem.where, toml_file);
   const bool of_table =
+      // Sheets of a workbook are named in brackets.
       in_table > 0 || problem.where == table_file || problem.where.starts_with(table_file + " [");
   const int line = of_table ? in_table : in_rock;
   const int column = in_table > 0 ? column_of(table, in_table, problem) : -1;
+  // The page shows where: the name of a file would stand in every message.
   if (of_table || in_rock > 0 || problem.where == toml_file) problem.where.clear();
   if (problem.key.empty()) std::swap(problem.key, problem.value);  // "4 cells: expected ..."
   return {{"where", of_table ? "table" : "rock"},
@@ -92,6 +97,21 @@ Json parameter_json(const ParameterEstimate& e) {
           {"next", report::next_json(e.next)}};
 }
 
+/// Tests and time by each effort; empty where nothing can be fitted.
+Json course_json(const Evidence& evidence) {
+  Json list = Json::array();
+  for (const calibrate::Effort& effort : calibrate::efforts) try {
+      calibrate::CalibrationOptions options;
+      options.effort = effort;
+      const Finding course =
+          jobs::expected_course(calibrate::outlook_of(evidence, options), jobs::n_threads(0));
+      list.push_back(report::finding_json(course));
+      list.back()["effort"] = effort.name;
+    } catch (const InputError&) {
+    }
+  return list;
+}
+
 void add_check(const Rock& rock, Json& answer) {
   const jobs::RockCheck found = jobs::check(rock);
   answer["bedded"] = rock.bedded;
@@ -106,19 +126,24 @@ void add_check(const Rock& rock, Json& answer) {
   answer["in_maps"] = found.in_maps;
   answer["summary"] = report::findings_json(jobs::summary_of(found, jobs::n_threads(0)));
   answer["forecast"] = report::findings_json(found.forecast);
+  const Recipe& model = found.evidence.rock.model;
+  answer["grains"] = {{"number", model.packing.n_grains}, {"diameter [m]", grain_size(model)}};
+  answer["course"] = course_json(found.as_read);
 }
 
 }  // namespace
 
 Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
-  Json answer = {{"bedded", nullptr}, {"figure", nullptr}};
+  Json answer = {{"bedded", nullptr}, {"figure", nullptr}, {"grains", nullptr}};
+  // Every key in every answer: the page draws empty lists and needs no case for a table that is wrong.
   for (const char* list : {"problems", "doubts", "notes", "targets", "statements", "parameters", "models",
-                           "limits", "in_maps", "summary", "forecast"})
+                           "limits", "in_maps", "summary", "forecast", "course"})
     answer[list] = Json::array();
   const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
   try {
     add_check(rock::parse_rock(toml, toml_file, {table, {}}), answer);
   } catch (const InputError& e) {
+    // Read once more for the places of the cells, which the reader of rocks does not keep.
     const io::Table cells = io::parse_table(table.value_or(""), table_file);
     for (const Problem& p : e.problems())
       answer["problems"].push_back(problem_json(p, toml_file, table_file, cells));

@@ -60,6 +60,9 @@ TEST(TableCheck, AGoodTableIsCheckedAsByRockCheck) {
   EXPECT_GT(panels[0]["series"][0]["x"].size(), 10U) << "theory";
   EXPECT_GT(answer["parameters"].size(), 4U);
   EXPECT_FALSE(answer["forecast"].empty());
+  EXPECT_EQ(answer["course"].size(), 4U);  // efforts
+  EXPECT_GT(answer["course"][3]["numbers"]["most_tests"], answer["course"][1]["numbers"]["most_tests"]);
+  EXPECT_GT(answer["grains"]["number"], 0);
   EXPECT_LE(answer["summary"].size(), 10U);
   EXPECT_EQ(answer["summary"][0]["kind"], "table_angles");
 }

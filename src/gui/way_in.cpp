@@ -16,6 +16,7 @@ constexpr std::size_t largest_way_in = 4096, digits_of_token = 32;
 
 bool is_private(const std::string& file) {
   std::error_code error;
+  // Not through a link: its owner decides where it leads.
   const fs::file_status status = fs::symlink_status(file, error);
   const fs::perms others = fs::perms::group_all | fs::perms::others_all;
   return !error && fs::is_regular_file(status) && (status.permissions() & others) == fs::perms::none;
@@ -31,6 +32,7 @@ std::string kept_token(const std::string& file) {
   if (at == std::string::npos) return random_token();
   const std::string token = text->substr(at + mark.size(), digits_of_token);
   const bool good =
+      // The file may have been edited: a short token would be guessed.
       token.size() == digits_of_token && token.find_first_not_of("0123456789abcdef") == std::string::npos;
   return good ? token : random_token();
 }
@@ -46,6 +48,7 @@ void write_way_in(const std::string& file, const std::string& address) {
   const int descriptor = system::open_to_append(*part);
   const bool whole = descriptor >= 0 && system::write_all(descriptor, text) == 0;
   if (descriptor >= 0) system::close(descriptor);
+  // Moved into place: a browser that opens it meanwhile finds the old file or the new one.
   if (!whole || system::replace(*part, file) != 0) system::remove_file(*part);
 }
 

@@ -37,6 +37,7 @@ bool is_edition_3(std::string_view text) {
 class AgsReader {
  public:
   AgsReader(std::string_view text, std::string group, std::string where)
+      // RUCS is the group of uniaxial strength, E and nu; other tests have groups of their own.
       : text_(text), group_(group.empty() ? "RUCS" : std::move(group)), file_(std::move(where)) {
     table_.where = fmt::format("{} [{}]", file_, group_);
   }
@@ -70,6 +71,7 @@ class AgsReader {
       inside_ = name == group_, found_ = found_ || inside_;
       if (!inside_) remember(name);
     }
+    // TYPE says how many digits a number is shown with, which no reading depends on.
     if (!inside_ || word == "GROUP" || word == "TYPE") return;
     items.erase(items.begin());
     if (!std::all_of(items.begin(), items.end(), is_plain))

@@ -171,6 +171,7 @@ std::string contacts_csv(const Specimen& s) {
   std::string text =
       "grain_a,grain_b,kind,set,normal_x,normal_y,gap [m],k_n [N/m per m],k_s [N/m per m],"
       "sigma_c [Pa],tau_c [Pa],k_m [N],x [m],y [m]";
+  // Only where strengths of joints are drawn: the tables of all other specimens keep their bytes.
   const bool drawn = std::any_of(s.bedding.begin(), s.bedding.end(),
                                  [](const BeddingRecipe& set) { return set.sigma_n_sd > 0.0; });
   text += drawn ? ",sigma_n [Pa]\n" : "\n";

@@ -27,6 +27,7 @@ int open_stream(const std::string& path) {
   for (;;) {
     const int fd = system::open_stream(path);
     if (fd >= 0) return fd;
+    // A reader that was started at the same time may need a moment to open its end of the pipe.
     if (errno != ENXIO || std::chrono::steady_clock::now() - start > patience_for_reader) return -1;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -203,6 +204,7 @@ void write_passing(const std::string& path, const std::string& content) {
   const std::string part = beside(path, "part");
   const int fd = open_new(part);
   if (fd < 0) return;
+  // Not synced: the next writing comes before a power cut could matter.
   const bool whole = system::write_all(fd, content) == 0;
   system::close(fd);
   if (!whole || system::replace(part, path) != 0) system::remove_file(part);

@@ -30,7 +30,7 @@ const std::vector<FileKind>& file_kinds() {
        "To test it: phyllite run "},
       {"rock",
        {"data", "sheet", "elastic_reading", "E_is", "layers", "confining", "grain_size", "first_packing",
-        "bedded", "brazilian", "columns"},
+        "bedded", "brazilian", "columns", "report"},
        {},
        "a rock file",
        "To calibrate it: phyllite calibrate "},
@@ -90,17 +90,18 @@ void refuse_other_kind(const TomlValue& root, const std::string& where, const st
   const FileKind* other = nullptr;
   for (const FileKind& kind : file_kinds()) {
     if (!has_words_of(kind, root)) continue;
+    // A file with words of its own kind is taken for it: odd keys in it are reported one by one then.
     if (wanted == kind.schema) return;
     other = &kind;
   }
-  if (other != nullptr) refuse(where, other->called, wanted, other->use + sh_word(where));
+  if (other != nullptr) refuse(where, other->called, wanted, other->use + shell_word(where));
 }
 
 std::string read_user_file(const std::string& path, const std::string& wanted) {
   const std::string ending = ending_of(path);
   const auto refuse_table = [&] {
     refuse(path, "a table", wanted,
-           "To make a rock file of it: phyllite rock new NAME --data " + sh_word(path));
+           "To make a rock file of it: phyllite rock new NAME --data " + shell_word(path));
   };
   for (const char* of_tables : {".csv", ".tsv", ".ags", ".xlsx", ".xls"})
     if (ending == of_tables) refuse_table();

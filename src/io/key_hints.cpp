@@ -27,6 +27,7 @@ std::string value_from(const ForeignWord& word, const TomlValue& value) {
   } else if (value.kind != TomlValue::Kind::integer && value.kind != TomlValue::Kind::number) {
     return "";
   }
+  // 1/kratio of 3.333 should not be advised with sixteen digits.
   const double ours = rounded(value_of(word, theirs), 6);
   if (!within_range(f, ours)) return "";
   return f.kind == FieldKind::quantity ? toml_string(print_quantity(ours, f.dimension)) : print_number(ours);

@@ -190,6 +190,7 @@ Variation read_variation(const std::string& folder) {
   if (table.table().rows.empty()) throw InputError(Problem{table.file(), "", "", "rows", "run the study"});
   Variation v;
   v.name = name_of_study(folder, recipe.name);
+  // Without weak planes there is no spacing, and pictures leave Eq. 1 out.
   if (has_weak_planes(recipe)) v.spacing = recipe.bedding[0].spacing;
   const Rows intact = table.rows(
       [&](const TableRow& row) { return table.at(row, "intact") == "1" && has_answer(table, row); });

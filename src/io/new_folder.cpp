@@ -58,6 +58,7 @@ NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
   std::error_code ignored;
   fs::remove_all(part_, ignored);
   make_folder(part_);
+  // So that another process, which clears leftovers here, sees that somebody is at it.
   lock_ = system::lock_folder(part_);
 }
 

@@ -12,6 +12,7 @@
 #include "system/child.hpp"
 #include "system/files.hpp"
 #include "system/process.hpp"
+#include "system/terminal.hpp"
 
 namespace phy::io {
 namespace {
@@ -49,7 +50,9 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
     if (error != 0) throw IoError(program + ": cannot be started: " + std::strerror(error) + remedy);
   };
   check(child.open_pipe(), "");
-  check(child.start(program, arguments, said.path), "; install it: apt install " + package);
+  const std::string where =
+      system::has_posix_shell() ? ": apt install " + package : ", with its folder in PATH";
+  check(child.start(program, arguments, said.path), "; install it" + where);
   bool ok = true;
   // After a failed write the rest is not sent; the exit status tells why.
   feed([&](const std::string& text) { ok = ok && child.write(text); });

@@ -36,7 +36,8 @@ struct SectionWriter {
   std::int64_t n_lost = 0;  // displacements and forces that no picture can show
   Json sections = Json::array();
   void add(const Numbers& numbers) {
-    // As many byte planes as the largest number needs.
+    // As many byte planes as the largest number needs: planes of zeros cost little once packed, but memory
+    // when read.
     std::uint32_t all = 0;
     for (const std::int32_t v : numbers) all |= zigzag(v);
     const int planes = all < 1U << 8U ? 1 : all < 1U << 16U ? 2 : all < 1U << 24U ? 3 : 4;
@@ -273,6 +274,7 @@ Scene read_scene(std::string_view bytes) {
 }  // namespace
 
 std::string pack_scene(const Scene& scene, TestKind kind) {
+  // A scene without a size would divide by zero.
   const double size_quantum = std::max({scene.width, scene.height, 1e-9}) / size_steps;
   const double quantum = displacement_quantum(scene);
   SectionWriter w;

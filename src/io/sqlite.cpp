@@ -32,6 +32,7 @@ std::string remedy_for(int code) {
 }
 
 bool is_writable(const std::string& file) {
+  // In the folder too: SQLite keeps its WAL and its lock beside the file.
   return system::may_write(file) && system::may_write_in(fs::path(file).parent_path().string());
 }
 

@@ -23,7 +23,7 @@ std::string folder_name(const std::string& name);
 /// The text of a result.json.
 std::string result_json(const SpecimenRecord& record);
 /// Its keys, in their order.
-const std::vector<FileKey>& result_keys();
+const std::vector<FileObject>& result_keys();
 
 /// Throws IoError where the folder of a result cannot be put, as check_place(): before hours of work are
 /// lost.

@@ -41,6 +41,7 @@ std::size_t end_of_line(std::string_view text) {
     if (text[i] == '\n' && !quoted) return i;
     breaks += text[i] == '\n' ? 1 : 0;
     if (text[i] != '"') continue;
+    // A quote in the middle of a cell is a sign of inches or seconds, and opens nothing.
     if (!quoted)
       quoted = i == 0 || around.substr(0, 3).find(text[i - 1]) != around.npos;
     else if (i + 1 < text.size() && text[i + 1] == '"')
@@ -127,10 +128,12 @@ class LayoutReader {
   explicit LayoutReader(const std::vector<Line>& sample) : sample_(sample) {}
 
   TextLayout read() const {
+    // A header of names alone goes before one with numbers in it, which a row of values may be as well.
     for (const HeaderRule rule : {HeaderRule::names, HeaderRule::numbers}) {
       std::vector<Fit> fits;
       for (const Separator s : {Separator::comma, Separator::semicolon, Separator::tab})
         if (const auto layout = fit(s, rule); layout && layout->width >= 2) fits.push_back({s, *layout});
+      // Blanks stand in names and remarks: only where nothing else parts a table do they part it.
       if (fits.empty())
         if (const auto blanks = fit_blanks(rule)) fits.push_back(*blanks);
       if (!fits.empty()) return best_of(fits);
@@ -271,6 +274,7 @@ class TableReader {
     if (!take_sample(sample)) return false;
     const LayoutReader reader(sample);
     const TextLayout layout = reader.read();
+    // Of several that fit the same header one has to be taken; the problem below says that it was a choice.
     separator_ = layout.separators.back();
     auto header = std::find_if(sample.begin(), sample.end(),
                                [&](const Line& line) { return line.number == layout.header_line; });

@@ -41,6 +41,7 @@ std::size_t at_back(std::string_view text, const List& list) {
 
 std::string_view without_blanks(std::string_view text) {
   text = trimmed(text);
+  // Nearly all cells: the search below is for the few that come from a text processor.
   if (is_ascii(text)) return text;
   for (std::size_t n = 0; (n = at_front(text, other_blanks)) > 0;) text = trimmed(text.substr(n));
   for (std::size_t n = 0; (n = at_back(text, other_blanks)) > 0;)
@@ -118,6 +119,7 @@ bool split_cells(std::string_view line, Separator separator, std::vector<std::st
   line = trimmed(line);
   if (separator == Separator::runs) return split_at_blanks(line, 2, cells);
   const auto are_names = [&] { return std::none_of(cells.begin(), cells.end(), looks_measured); };
+  // Names of several words are often parted by two blanks, above rows that single ones part.
   if (line.find("  ") != line.npos) {
     if (split_at_blanks(line, 2, cells) && are_names()) return true;
     cells.clear();
@@ -133,7 +135,9 @@ std::string plain_cell(std::string_view cell) {
   if (n == 0) return std::string(cell);
   std::string_view rest = cell;
   for (std::size_t more = n; more > 0; more = at_front(rest, dashes)) rest.remove_prefix(more);
+  // A run of dashes of whatever kind means that nothing was measured.
   if (rest.empty()) return "-";
+  // A dash before a word is a bullet or a hyphen, and no sign.
   const bool minus = cell.size() > n && (is_digit(cell[n]) || cell[n] == '.' || cell[n] == ',');
   return minus ? "-" + std::string(cell.substr(n)) : std::string(cell);
 }

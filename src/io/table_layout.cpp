@@ -55,6 +55,7 @@ class Finder {
   Finder(const std::vector<TableRow>& rows, HeaderRule rule) : rows_(rows), rule_(rule) {
     for (const TableRow& row : rows) shapes_.push_back(shape_of(row));
     std::tie(width_, values_) = usual(shapes_);
+    // Two cells at least, where any row has two: a title fills one.
     for (const Shape& s : shapes_) least_ = std::max(least_, std::min<std::size_t>(2, s.filled));
   }
 
@@ -82,6 +83,7 @@ class Finder {
     const bool named = rule_ == HeaderRule::names ? s.values == 0 : s.values < s.filled;
     return named && s.reach >= width_ && s.filled >= least_;
   }
+  // Half of the usual values are enough: rows of real tables have gaps.
   bool is_row(std::size_t i) const { return shapes_[i].reach >= width_ && 2 * shapes_[i].values >= values_; }
 
   /// Is there a gap in the upper of two rows, or a name that repeats the one before, with a name below it?
@@ -114,6 +116,7 @@ class Finder {
            !holds_units(rows_[lower]);
   }
   Layout with_second(std::size_t header) const {
+    // The row above needs two cells here as well, or a title would become part of every name.
     if (header > 0 && shapes_[header - 1].filled >= 2 && are_beside(header - 1, header) &&
         is_incomplete(header - 1, header))
       return {header - 1, true, width_, values_};
@@ -142,6 +145,7 @@ std::vector<std::string> one_header(const TableRow& upper, const TableRow& lower
     const std::string here = i < upper.cells.size() ? upper.cells[i] : "";
     const std::string below = i < lower.cells.size() && !lower.merged.contains(i) ? lower.cells[i] : "";
     if (!here.empty() || below.empty()) above = here;
+    // The unit goes behind both names, since readers of headers look for it there.
     const auto [name, unit] = name_and_unit(above);
     if (below.empty() || above.empty() || below == above)
       header.push_back(above.empty() ? below : above);

@@ -15,6 +15,7 @@ using Kind = TomlValue::Kind;
 /// The value that a key of the recipe has by default.
 double usual_of(const Field& field) {
   Recipe recipe;
+  // Keys of bedding have no default in a recipe without any.
   recipe.bedding.resize(1);
   return field.get ? field.get(recipe, 0) : 0.0;
 }
@@ -22,6 +23,7 @@ double usual_of(const Field& field) {
 /// The number of `written` with the unit that brings it into the range, nearest to the usual value; empty
 /// where none brings it near.
 std::string in_likelier_unit(const Field& f, const std::string& written) {
+  // A hundred times off what is usual a guess is no likelier than what was written.
   constexpr double near = 2.0;  // orders of magnitude
   const double usual = usual_of(f);
   const std::string number = written.substr(0, written.find_first_not_of("+-.0123456789eE"));

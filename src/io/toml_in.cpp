@@ -115,6 +115,7 @@ std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& wher
                         "the file has " + std::to_string(file.discs.size()) + " discs: leave it out"});
   double largest = 0.0;
   for (const Disc& d : file.discs) largest = std::max(largest, 2.0 * d.r);
+  // With the discs of the file: the radii of the recipe, which the usual check takes, mean nothing beside it.
   if (recipe.matrix.bond_gap > largest)
     problems.push_back({where, "matrix.bond_gap", length(recipe.matrix.bond_gap),
                         "at most the largest grain diameter, " + length(largest),

@@ -198,6 +198,7 @@ std::string syntax_remedy(std::string_view line, std::string_view problem) {
   const char c = line[at];
   if (c == '"' || c == '\'')
     return std::count(line.begin(), line.end(), c) % 2 == 1 ? "close the quotes" : "";
+  // TOML has no fractions, and "1/3" is a likely slip where ratios are asked for.
   if (const std::optional<double> quotient = fraction(line.substr(at, line.find('#', at) - at)))
     return "write it as a number: " + print_number(rounded(*quotient, 6));
   if (c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9'))

@@ -24,6 +24,7 @@ namespace {
 constexpr std::size_t most_bytes = 64U << 20U;  // of one XML file
 constexpr int most_used_columns = static_cast<int>(most_table_columns);
 constexpr std::size_t most_sample_rows = 1000;  // that show where the table begins
+// Each is read whole for a hint in a message: a workbook of hundreds must not take minutes for it.
 constexpr std::size_t most_sheets_tried = 20;
 constexpr int most_rows = 1048576,
               most_columns = 16384;  // of a sheet (ECMA-376 names no limit; these are Excel's)
@@ -106,6 +107,7 @@ std::set<int> day_looks(const ZipArchive& archive) {
   if (!read_xml(archive, "xl/styles.xml", document)) return looks;
   const pugi::xml_node sheet = child(document, "styleSheet");
   std::set<int> days;  // formats; built in are 14 to 22 and 45 to 47, in East Asia 27 to 36 and 50 to 58
+  // These have no code in the file: programs know them by number.
   for (const auto& [from, to] : {std::pair{14, 22}, {27, 36}, {45, 47}, {50, 58}})
     for (int id = from; id <= to; ++id) days.insert(id);
   each_child(child(sheet, "numFmts"), "numFmt", [&](pugi::xml_node f) {
@@ -125,6 +127,7 @@ std::string day_of(const std::string& number) {
   std::from_chars(number.data(), number.data() + number.size(), n);
   if (!(n >= 0.0 && n < 3e6)) return number;
   using namespace std::chrono;
+  // The 30th of December, since spreadsheets take 1900 for a leap year.
   const year_month_day day{sys_days{year{1899} / 12 / 30} + days{static_cast<int>(n)}};
   return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
                      static_cast<unsigned>(day.day()));
@@ -181,11 +184,13 @@ class WorkbookReader {
     std::map<std::string, std::string> files;
     each_child(child(links, "Relationships"), "Relationship", [&](pugi::xml_node link) {
       const std::string target = link.attribute("Target").value();
+      // Targets are relative to the folder of the workbook, or absolute in the archive.
       files[link.attribute("Id").value()] = target.starts_with('/') ? target.substr(1) : "xl/" + target;
     });
     std::vector<std::pair<std::string, std::string>> sheets;  // name and file
     each_child(child(child(book, "workbook"), "sheets"), "sheet", [&](pugi::xml_node sheet) {
       const bool hidden = std::string_view(sheet.attribute("state").value()).ends_with("idden");
+      // Hidden sheets hold lists and settings. Whoever names one means it.
       if (hidden && wanted_ != sheet.attribute("name").value()) return;
       for (const pugi::xml_attribute a : sheet.attributes())
         if (const std::string_view name = a.name(); name == "r:id" || name.ends_with(":id"))
@@ -268,6 +273,8 @@ class WorkbookReader {
   static std::string content(pugi::xml_node c, const std::vector<std::string>& texts) {
     const std::string_view type = c.attribute("t").value();
     const std::string value = child(c, "v").text().get();
+    // A formula is not worked out here. Without its saved value an empty cell would pass for one that was not
+    // measured.
     if (value.empty() && child(c, "f")) return formula_without_value;
     if (type == "b") return value == "1" ? "TRUE" : "FALSE";
     if (type == "inlineStr") return text_of(child(c, "is"));
@@ -287,6 +294,7 @@ class WorkbookReader {
     const std::size_t colon = ref.find(':');
     Place from, to;
     if (colon == ref.npos || !parse_place(ref.substr(0, colon), from) ||
+        // Merged sideways are titles, which belong to no column.
         !parse_place(ref.substr(colon + 1), to) || from.column != to.column)
       return;
     const auto row = sheet_.rows.find(from.row);
@@ -301,6 +309,7 @@ class WorkbookReader {
 
   /// The first rows as far as tables reach, counted from the first column that is used.
   std::vector<TableRow> sample() const {
+    // Tables often begin at B2; a column that is empty all the way is none.
     int first = most_columns;
     for (const auto& [number, cells] : sheet_.rows) first = std::min(first, cells.begin()->first);
     std::vector<TableRow> rows;
@@ -327,6 +336,7 @@ class WorkbookReader {
     const std::vector<TableRow> rows = sample();
     layout_ = find_layout(rows, HeaderRule::names);
     if (!layout_) layout_ = find_layout(rows, HeaderRule::numbers);
+    // A single column of numbers has nothing to stand beside.
     if (layout_ && layout_->width < 2) layout_.reset();
     if (layout_) return sheet_.rows.find(rows[layout_->header].line);
     return std::find_if(sheet_.rows.cbegin(), sheet_.rows.cend(),
@@ -346,6 +356,7 @@ class WorkbookReader {
       table_.notes.push_back(fmt::format("what stands above row {} is passed over", header->first));
     const int first = std::min(header->second.begin()->first, lower->second.begin()->first);
     const int last = std::max(header->second.rbegin()->first, lower->second.rbegin()->first);
+    // A lost cell far to the right would make a table of thousands of columns.
     if (last - first >= most_used_columns) {
       refuse(fmt::format("headers from column {} to {}", column_letters(first), column_letters(last)),
              fmt::format("at most {} columns side by side", most_used_columns),

@@ -40,8 +40,10 @@ ZipArchive::ZipArchive(std::string_view bytes) : bytes_(bytes) {
 std::optional<std::string> ZipArchive::read(const std::string& name, std::size_t most) const {
   const auto place = places_.find(name);
   if (place == places_.end()) return std::nullopt;
+  // From the directory: a writer that streams leaves sizes and checksum zero in the header before the data.
   const std::size_t at = place->second, size = number(at + entry::unpacked, 4),
                     head = number(at + entry::header, 4), method = number(at + entry::method, 2);
+  // Before anything is unpacked: some kilobytes of an archive may mean gigabytes.
   if (size > most || part(head, 4) != header::mark) return std::nullopt;
   if ((number(at + entry::flags, 2) & encrypted) != 0) return std::nullopt;
   const std::size_t start =
@@ -62,6 +64,7 @@ std::string_view ZipArchive::part(std::size_t at, std::size_t n) const {
 std::size_t ZipArchive::number(std::size_t at, std::size_t n) const {
   const std::string_view b = part(at, n);
   std::size_t value = 0;
+  // Cut short, a number is 0: where that leads to is checked by its mark.
   for (std::size_t i = b.size() == n ? n : 0; i > 0; --i)
     value = value << 8U | static_cast<unsigned char>(b[i - 1]);
   return value;

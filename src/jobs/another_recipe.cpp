@@ -7,7 +7,9 @@ namespace phy::jobs {
 std::vector<Problem> problems_of(const std::string& where,
                                  const std::vector<study::RecipeDifference>& differences,
                                  const std::string& as_in, const std::string& remedy) {
+  // Quite another recipe differs in dozens of keys: after a few the user knows.
   constexpr std::size_t most = 6;  // lines
+  // The line that counts the rest takes the place of one, so that there are never more than `most`.
   const std::size_t n = differences.size(), reported = n > most ? most - 1 : n;
   std::vector<Problem> problems;
   for (std::size_t i = 0; i < reported; ++i) {

@@ -62,8 +62,7 @@ Calibration CalibrationJob::run(const CalibrationHooks& hooks) {
   };
   clock_.emplace(seconds_per_cost(hooks.threads));
   options_.listener = listener(hooks);
-  hooks.say(
-      report::sentence(expected_course(calibrate::outlook_of(evidence_, options_).ahead(), hooks.threads)));
+  hooks.say(report::sentence(expected_course(calibrate::outlook_of(evidence_, options_), hooks.threads)));
   Calibration result = calibrate::calibrate(evidence_, options_, *calibrate::make_simulator(machine));
   result.asked = asked(request_);
   if (!begun_) return result;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/quote.hpp"
-#include "rock/file.hpp"
+#include "rock/schema.hpp"
 
 namespace phy::jobs {
 namespace {
@@ -24,6 +24,8 @@ std::vector<std::string> effort_names() {
 const io::Schema& request_schema() {
   static const Fields fields = [] {
     Fields all;
+    // Read by the same schema as the options, so that an unknown key of a later version is a problem with a
+    // line.
     for (const char* key : {"name", "rock", "table", "model"})
       all.push_back(make_field(FieldKind::text, "", key, ""));
     for (const CalibrationOption& o : calibration_options()) all.push_back(o.field());
@@ -37,6 +39,7 @@ const io::Schema& request_schema() {
 CalibrationRequest request_in(const io::Document& document) {
   CalibrationRequest request;
   for (const CalibrationOption& o : calibration_options()) {
+    // Asked before: the getter's own default is no default of the option.
     if (document.find(o.key) == nullptr) continue;
     const auto take = [&](auto place) {
       auto& value = request.*place;
@@ -102,6 +105,7 @@ const std::vector<CalibrationOption>& calibration_options() {
 
 std::string CalibrationOption::word() const {
   std::string word = key;
+  // Keys are names of Python's arguments, which hold no hyphen; a command line has hyphens by custom.
   std::replace(word.begin(), word.end(), '_', '-');
   return word;
 }
@@ -119,6 +123,7 @@ OptionValue CalibrationOption::value(const CalibrationRequest& request) const {
 }
 
 CalibrationRequest request_of(io::TomlValue keys, const std::string& where) {
+  // Python and the page send values instead of a file; ranges and words are checked by the same code.
   const io::Document document(std::move(keys), where, request_schema(), {});
   document.check();
   return request_in(document);
@@ -127,6 +132,7 @@ CalibrationRequest request_of(io::TomlValue keys, const std::string& where) {
 std::vector<SetOption> asked(const CalibrationRequest& request) {
   std::vector<SetOption> options;
   for (const CalibrationOption& o : calibration_options())
+    // The empty text is "not asked for": a request must not say matrix = "" as if it were a model.
     if (o.changes_result && o.value(request) != OptionValue(std::string()))
       options.push_back({o.key, o.value(request)});
   return options;
@@ -162,6 +168,7 @@ KeptRequest read_kept(const std::string& text, const std::string& file) {
   document.check();
   KeptRequest kept{request_in(document), document.text("name", ""), document.text("table", ""),
                    document.text("model", "")};
+  // No option but the argument of the verb, so that the list above does not hold it.
   kept.request.rock = document.text("rock", "");
   return kept;
 }
@@ -169,6 +176,7 @@ KeptRequest read_kept(const std::string& text, const std::string& file) {
 std::vector<Problem> differences(const CalibrationRequest& request, const CalibrationRequest& begun) {
   std::vector<Problem> problems;  // all at once, so that one more try is enough
   for (const CalibrationOption& o : calibration_options())
+    // --out and --resume say where and how: another folder name is the same calibration.
     if (o.changes_result && o.value(request) != o.value(begun))
       problems.push_back(
           option_problem(o.word(), option_text(o.value(request)),

@@ -11,6 +11,7 @@
 #include "calibrate/plan.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "jobs/calibration_options.hpp"
+#include "jobs/key_table.hpp"
 #include "records/parameters.hpp"
 #include "records/rock_model.hpp"
 #include "report/calibration_files.hpp"
@@ -70,10 +71,9 @@ Of `phyllite calibrate`, of `phyllite.calibrate` in Python (with `_`), and of th
 constexpr const char* keys_head = R"(
 ## Keys of a calibration
 
-Of `calibration.json`: SI units, `null` where there is no number. A key without content is left out.
+Of `calibration.json`: SI units, `null` where there is no number. A key without content is left out. `file` is
+the whole; other objects stand where a key names them, alone or in a list.
 
-| key | content |
-|---|---|
 )";
 
 /// What the ends of a box count.
@@ -89,6 +89,7 @@ Recipe recipe_of(const RockModel& model) {
   Recipe recipe;
   recipe.matrix.model = model.matrix;
   recipe.bedding.resize(model.joints ? 1 : 0);
+  // Any value that is no default will do: a parameter belongs to the model once its feature is switched on.
   if (model.bridges) recipe.bedding.front().persistence = 0.5;
   if (model.directions) recipe.matrix.cohesion_ratio = 2.0;
   return recipe;
@@ -106,6 +107,7 @@ std::string models_of(const Parameter& p) {
     const std::string word = m.matrix == MatrixModel::flat_joint ? "flat joints" : "parallel bonds";
     if (matrix.find(word) == matrix.npos) matrix += (matrix.empty() ? "" : ", ") + word;
   }
+  // From the widest to the narrowest: the first description that fits covers all models found.
   if (all) return "all";
   if (joints) return "joints";
   if (directions) return planes ? "directions" : "directions alone";
@@ -114,6 +116,7 @@ std::string models_of(const Parameter& p) {
 
 std::string parameter_row(const Parameter& p) {
   const Range& r = p.range;
+  // Ratios and multiples of a scale have no unit; angles are the only ones that have.
   const std::string unit = r.of == nullptr && std::string_view(p.unit) == "deg" ? " deg" : "";
   return fmt::format("| {} | `{}` | {:.3g}{} | {:g}{} | {:g}{} | {} | {} | {} |\n", sought(p).symbol, p.key,
                      r.low, unit, r.high, unit, r.usual, unit,
@@ -127,6 +130,7 @@ std::string parameter_rows() {
   for (const List list : {List{elastic_parameters}, List{strength_parameters}})
     for (const RockModel& m : rock_models())
       for (const Parameter* p : list(recipe_of(m))) {
+        // A parameter occurs in many models and has one row, where it comes first.
         if (std::find(seen.begin(), seen.end(), p) != seen.end()) continue;
         seen.push_back(p);
         text += parameter_row(*p);
@@ -140,8 +144,7 @@ std::string model_rows() {
     text += fmt::format("| {} | {} | {} | {} |\n",
                         m.layered ? fmt::format("`\"{}\"`", to_string(m.layers)) : "no layers",
                         m.matrix == MatrixModel::flat_joint ? "`\"flat_joint\"`" : "`\"parallel_bond\"`",
-                        m.bridges ? "joints on a share of the planes" : m.words,
-                        m.contains == nullptr ? "" : m.contains->words);
+                        text_of(m, std::nullopt), m.contains == nullptr ? "" : m.contains->words);
   return text;
 }
 
@@ -153,6 +156,7 @@ std::string packing_rows() {
   const auto row = [](std::int64_t first, std::int64_t end, const char* use) {
     return fmt::format("| {} | {} |\n", span(first, end), use);
   };
+  // The search takes seeds on both sides of the ensemble's; each range is a row of its own.
   const std::int64_t behind_ensemble =
       p.first_of_ensemble + static_cast<std::int64_t>(calibrate::ensemble_size);
   return row(p.fit.front(), p.fit.back() + 1, "elastic fit, and the search") +
@@ -167,6 +171,7 @@ std::string option_rows() {
   std::string text;
   for (const CalibrationOption& o : calibration_options()) {
     const OptionValue value = o.value(CalibrationRequest());
+    // "false" and an empty text are defaults that nobody would type.
     const bool given = !std::holds_alternative<bool>(value) && value != OptionValue(std::string());
     const std::string shown = given ? option_text(value) : "";
     text += fmt::format("| `--{}` | {} | {} | {} |\n", o.word(),
@@ -186,9 +191,7 @@ std::string calibration_reference() {
   for (const calibrate::Effort& e : calibrate::efforts)
     text += fmt::format("| `{}` | {:g} | {} |\n", e.name, e.points, e.further);
   text += packings_head + packing_rows() + options_head + option_rows() + keys_head;
-  for (const FileKey& key : report::calibration_keys())
-    text += fmt::format("| `{}` | {} |\n", key.name, key.content);
-  return text;
+  return text + key_table(report::calibration_keys());
 }
 
 }  // namespace phy::jobs

@@ -11,6 +11,7 @@ namespace phy::jobs {
 namespace {
 
 using Json = nlohmann::ordered_json;
+// The page looks every other second or so; thousands of quick tests would else write thousands of files.
 constexpr std::chrono::seconds period{1};
 
 }  // namespace
@@ -21,6 +22,7 @@ CalibrationWatch::CalibrationWatch(const std::string& folder)
 }
 
 CalibrationWatch::~CalibrationWatch() {
+  // Also when an exception ends the calibration: the page would show it as running for ever.
   if (state_ == "running") end("failed");
 }
 
@@ -41,11 +43,13 @@ void CalibrationWatch::tests(const calibrate::TestProgress& progress, const Time
 
 void CalibrationWatch::estimates(const std::vector<ParameterEstimate>& parameters) {
   const std::lock_guard lock(mutex_);
+  // A new model begins, with other parameters; steps of the one before would be drawn on.
   if (parameters.empty()) known_.clear();
   for (const ParameterEstimate& p : parameters) {
     auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.key == p.key; });
     if (known == known_.end())
       known = known_.insert(known_.end(), {p.key, p.symbol, p.unit, p.box_low, p.box_high, {}});
+    // All estimates are kept: the page draws how the intervals shrink.
     known->steps.push_back({p.value, p.low, p.high});
   }
   write_now();
@@ -53,6 +57,7 @@ void CalibrationWatch::estimates(const std::vector<ParameterEstimate>& parameter
 
 void CalibrationWatch::end_stage() {
   tests_ = {};
+  // Between stages nothing is pressed, and the last specimen would stand there as if it were.
   press_.clear();
 }
 
@@ -82,6 +87,7 @@ std::string CalibrationWatch::text() const {
                                {"box", {k.box_low, k.box_high}},
                                {"steps", std::move(steps)}});
   }
+  // Names from the user's files need not be UTF-8, and a progress report must not end a calibration.
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -26,6 +26,7 @@ Finding angles_of(const Evidence& evidence) {
   if (!evidence.rock.bedded) return f;
   std::set<double> angles;
   const bool beta = evidence.rock.counts_from_load;
+  // As the laboratory counts, so that its people find their own numbers again.
   for (const Target& t : evidence.targets) angles.insert(beta ? 90.0 - t.theta : t.theta);
   if (!angles.empty())
     f.numbers = {{"angles", static_cast<double>(angles.size())},
@@ -38,6 +39,7 @@ Finding angles_of(const Evidence& evidence) {
 /// Least and largest value of each property.
 Finding values_of(const Evidence& evidence, bool strengths) {
   Finding f{strengths ? Kind::table_strengths : Kind::table_moduli};
+  // Over all properties, though told beside the strengths: one line for the whole table is enough.
   double least_n = HUGE_VAL, most_n = 0.0;
   for (const MeasuredProperty& p : measured_properties()) {
     const std::vector<Target> targets = of_property(evidence.targets, p.property);
@@ -45,9 +47,11 @@ Finding values_of(const Evidence& evidence, bool strengths) {
     if (targets.empty() || is_strength(p.property) != strengths) continue;
     const auto [low, high] = std::ranges::minmax(targets, {}, &Target::mean);
     f.cells.push_back({p.property, std::nan("")});
+    // Pairs in the order of the cells: the words read them by place.
     f.numbers.push_back({"low", low.mean}), f.numbers.push_back({"high", high.mean});
   }
   if (strengths) f.numbers.insert(f.numbers.end(), {{"least_n", least_n}, {"most_n", most_n}});
+  // Tangent, secant or average: a wrong reading of E spoils every modulus, so it is always said.
   if (!strengths && evidence.has(Property::E)) f.names.emplace_back(to_string(evidence.rock.E_is));
   return f;
 }
@@ -58,6 +62,7 @@ std::string best_test(const std::vector<ParameterEstimate>& open) {
   for (const ParameterEstimate& e : open)
     for (const LabTests& tests : e.next.tests)
       for (const LabTest& t : tests.any_of)
+        // Counted by different tests of a property: one campaign in the laboratory can make them all.
         if (auto& list = by_property[t.property]; std::ranges::find(list, LabTests(t)) == list.end())
           list.emplace_back(t);
   const auto best =
@@ -82,6 +87,7 @@ Finding open_parameters(const std::vector<ParameterEstimate>& parameters) {
 void add_doubts(const RockCheck& check, std::vector<Finding>& lines) {
   const std::size_t n = std::min(most_doubts, check.doubts.size());
   lines.insert(lines.end(), check.doubts.begin(), check.doubts.begin() + static_cast<std::ptrdiff_t>(n));
+  // The rest is in --all: a screen of doubts hides the worst among them.
   if (check.doubts.size() > n)
     lines.push_back({Kind::more_doubts, {}, {{"doubts", static_cast<double>(check.doubts.size() - n)}}});
 }
@@ -95,6 +101,7 @@ bool to_be_known_first(const Finding& limit) {
 std::optional<Finding> without_scatter(const RockCheck& check) {
   Finding f{Kind::scatter_unstated};
   for (const Finding& limit : check.limits)
+    // Only where every cell lacks it: a single measured scatter already tells what chance does.
     if (limit.kind == Kind::scatter_assumed && double(limit.cells.size()) == limit.number("of"))
       f.names.emplace_back(to_string(limit.cells.front().property));
   return f.names.empty() ? std::nullopt : std::optional(f);
@@ -103,8 +110,10 @@ std::optional<Finding> without_scatter(const RockCheck& check) {
 /// Tests, time and models of the calibration; nothing can be fitted of some tables.
 void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines) {
   try {
-    const calibrate::Outlook ahead = calibrate::outlook_of(check.as_read, {});
-    lines.push_back(expected_course(ahead.ahead(), threads));
+    calibrate::CalibrationOptions options;
+    options.effort = calibrate::auto_effort;  // the default of a calibration
+    lines.push_back(expected_course(calibrate::outlook_of(check.as_read, options), threads));
+    // A check answers any table, also one from which no calibration could begin.
   } catch (const InputError&) {
     lines.push_back({Kind::nothing_to_fit});
     return;
@@ -112,9 +121,9 @@ void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines
   Finding models{Kind::models_ahead};
   std::set<const RockModel*> kinds;
   for (const Rock& rock : maps::candidates_of(check.as_read))
-    if (kinds.insert(&maps::model_of(rock)).second)
-      models.names.push_back(has_bridges(rock.model) ? "joints on a share of the planes"
-                                                     : maps::model_in_words(rock));
+    // Candidates differ in numbers too, such as the share of joints; a reader wants each kind once.
+    if (const RockModel& model = maps::model_of(rock); kinds.insert(&model).second)
+      models.names.push_back(text_of(model, std::nullopt));
   lines.push_back(models);
 }
 
@@ -122,6 +131,7 @@ void add_course(const RockCheck& check, int threads, std::vector<Finding>& lines
 
 std::vector<Finding> summary_of(const RockCheck& check, int threads) {
   std::vector<Finding> lines;
+  // Doubts first: if the table is misread, nothing below is worth reading.
   add_doubts(check, lines);
   lines.push_back(angles_of(check.evidence));
   for (const bool strengths : {false, true})

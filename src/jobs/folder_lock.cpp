@@ -12,6 +12,7 @@ namespace phy::jobs {
 namespace {
 
 std::string lock_file(const std::string& folder) {
+  // Never removed: a lock on a removed file would keep nobody out.
   return (std::filesystem::path(folder) / ".lock").string();
 }
 
@@ -36,6 +37,7 @@ double seconds_since_lock(const std::string& folder) {
   const auto begun = std::filesystem::last_write_time(lock_file(folder), none);
   if (none) return 0.0;
   const std::chrono::duration<double> worked = std::filesystem::file_time_type::clock::now() - begun;
+  // Files on a server have its clock, which may run ahead of this machine's.
   return std::max(0.0, worked.count());
 }
 

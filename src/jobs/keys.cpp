@@ -22,23 +22,28 @@ std::string in_code(const std::string& text) { return text.empty() ? "" : "`" + 
 }  // namespace
 
 std::string explain(const std::vector<const io::Schema*>& schemas, const std::string& key) {
+  // People copy keys from messages, where sets are counted: bedding[1].k_n.
   const std::string word = io::without_index(key);
   std::vector<std::string> known, longer;
+  // Own keys go before PFC's: a word that means both is a key of this program here.
   for (const bool in_pfc : {false, true}) {
     std::string text;
     for (const io::Schema* schema : schemas)
       for (const Field& f : schema->fields)
         if (in_pfc ? has_pfc_name(f, word) || foreign_word(schema->fields, word, f.table).field == &f
+                   // A bare key may stand in several tables: all of them are explained.
                    : f.path() == word || f.key == word)
           text += explanation(f);
     if (!text.empty()) return text;
   }
   for (const io::Schema* schema : schemas)
     for (const Field& f : schema->fields) {
+      // Compared like with like: a path typed in full is near to paths, a bare word to bare keys.
       known.push_back(word.find('.') == word.npos ? f.key : f.path());
       if (known.back().starts_with(word)) longer.push_back(known.back());
     }
   const io::Schema& first = *schemas.front();
+  // A beginning goes before a near spelling: "conf" means confinement rather than "coef".
   const std::string near = longer.empty() ? nearest(word, known) : longer.front();
   if (const std::string instead = foreign_word(first.fields, word, "").instead; !instead.empty())
     throw InputError(option_problem("explain", key, "", instead));
@@ -53,6 +58,7 @@ std::string reference_markdown(const io::Schema& schema) {
       "quotes; a key "
       "that is left out has its default.\n",
       schema.name, schema.verb);
+  // No table has this name, so that even the first, nameless one gets its heading.
   std::string table = "-";
   for (const Field& f : schema.fields) {
     if (f.table != table) {

@@ -11,6 +11,7 @@ int n_threads(int asked) {
 
 study::MachineOptions machine_of(int asked_threads) {
   study::MachineOptions machine;
+  // The widest always: results have the same bits by every instruction set.
   machine.isa = engine::native_isa();
   machine.threads = n_threads(asked_threads);
   return machine;

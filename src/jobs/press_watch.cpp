@@ -23,6 +23,7 @@ constexpr std::size_t most_points = 400;          // of a curve on a screen
 constexpr double size_steps = 60000.0;            // across the specimen, from its centre: within 16 bits
 constexpr double finest = 0.25e-6, largest_steps = 32000.0;  // of displacements, as in scenes
 
+/// Halved in place whenever full: points stay evenly spread without knowing how long the test will be.
 void keep_every_second(std::vector<double>& values) {
   for (std::size_t i = 1; 2 * i < values.size(); ++i) values[i] = values[2 * i];
   values.resize((values.size() + 1) / 2);
@@ -31,11 +32,13 @@ void keep_every_second(std::vector<double>& values) {
 /// Rounded into 16 bits; what a blown-up test leaves, which may be no number, becomes 0 or the largest.
 std::int16_t steps(double value, double quantum) {
   const double s = value / quantum;
+  // lround of NaN is undefined, and -32768 would have no positive counterpart.
   return std::isnan(s) ? std::int16_t{0}
                        : static_cast<std::int16_t>(std::lround(std::clamp(s, -32767.0, 32767.0)));
 }
 
 template <class T>
+// Little-endian bytes as base64: the page turns them into a typed array without parsing numbers.
 std::string packed(const std::vector<T>& numbers) {
   return io::base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
 }
@@ -48,6 +51,7 @@ std::string head_of(const RunningTest& test) {
   const double quantum = quantum_of(packing);
   std::vector<std::int16_t> discs;
   for (const Disc& d : packing.discs)
+    // From the centre, so that the range of 16 bits is used on both sides.
     for (const double part : {d.x - 0.5 * packing.width, d.y - 0.5 * packing.height, d.r})
       discs.push_back(steps(part, quantum));
   std::vector<std::uint8_t> jointed(packing.discs.size(), 0);
@@ -55,6 +59,7 @@ std::string head_of(const RunningTest& test) {
     if (c.kind == ContactKind::joint) jointed[c.a] = jointed[c.b] = 1;
   Json bedding = Json::array();
   for (const BeddingRecipe& b : test.specimen.bedding)
+    // Only even planes can be drawn from three numbers; others the page leaves out.
     if (b.is_regular() && b.layer_thickness == 0.0)
       bedding.push_back({{"theta", b.theta}, {"spacing", b.spacing}, {"offset", b.offset}});
   const Json head = {{"format", press_format},
@@ -92,6 +97,7 @@ double displacement_quantum(const Frame& frame) {
   for (const auto& u : frame.u)
     for (const float part : u)
       if (std::isfinite(part)) largest = std::max(largest, std::abs(static_cast<double>(part)));
+  // Rescaled with every picture: a specimen that flies apart moves further than 16 bits of fine steps.
   return std::max(finest, largest / largest_steps);
 }
 
@@ -119,24 +125,29 @@ bool PressWatch::shown_is_over(Clock::time_point now) const {
 }
 
 void PressWatch::choose(const RunningTest& test, Clock::time_point now) {
+  // One to its end: a picture that jumps between specimens shows the breaking of none.
   if (test.over || &test.specimen == shown_ || !shown_is_over(now)) return;
+  // It was kept for the moment after its end alone.
   if (shown_ != nullptr && pressed_.at(shown_).over) pressed_.erase(shown_);
   shown_ = &test.specimen;
   written_ = {};  // a new one is seen at once
 }
 
 void PressWatch::reading(const RunningTest& test) {
+  // Workers on all threads report here, each its own test.
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
   Pressed& p = pressed_[&test.specimen];
   // It starts, or another does at this address.
   if (p.over || (!p.strain.empty() && test.strain < p.strain.back())) p = {};
   p.heard = now, p.over = test.over;
+  // While the specimen settles its strain is 0 many times; one point of that is enough.
   if (test.strain > 0.0 || p.strain.empty()) p.strain.push_back(test.strain), p.stress.push_back(test.stress);
   if (p.strain.size() > most_points) keep_every_second(p.strain), keep_every_second(p.stress);
   choose(test, now);
   if (shown_ == &test.specimen && (test.over || now - written_ >= period) && may_cost(test.over))
     write(test, p);
+  // Nobody looked at it, so its end need not linger; the address may be given to another specimen.
   if (test.over && shown_ != &test.specimen) pressed_.erase(&test.specimen);
 }
 
@@ -149,7 +160,9 @@ bool PressWatch::may_cost(bool over) const {
 void PressWatch::write(const RunningTest& test, Pressed& p) {
   const double before = system::thread_seconds();
   written_ = Clock::now();
+  // Most of the file, and the same in each picture: packed once.
   if (p.head.empty()) p.head = head_of(test);
+  // The expensive part, a copy out of the lanes: only made when it will be written.
   const SpecimenNow seen = test.look();
   const double quantum = displacement_quantum(seen.moved);
   std::vector<std::int16_t> moves;
@@ -165,6 +178,7 @@ void PressWatch::write(const RunningTest& test, Pressed& p) {
           cracks_text(seen.cracks, quantum_of(*test.specimen.packing)) + "}\n";
   // Not synced to the disk, as results are: the workers wait meanwhile.
   io::write_passing(file_, text);
+  // Thread time of this, process time of all: on a busy machine wall time would count others' work.
   cost_ = system::thread_seconds() - before, written_at_ = std::clock();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/store.hpp"
+#include "jobs/key_table.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
 #include "report/figures.hpp"
@@ -40,10 +41,8 @@ Of `history.csv`. The unit stands in the header: `axial_stress [Pa]`. Compressio
 constexpr const char* keys_head = R"(
 ## Keys of a result
 
-Of `result.json`.
+Of `result.json`. `file` is the whole; other objects stand where a key names them, alone or in a list.
 
-| key | content |
-|---|---|
 )";
 
 constexpr const char* figures_head = R"(
@@ -98,9 +97,7 @@ std::string column_rows() {
 std::string result_reference() {
   std::string text = head;
   for (const QualityLimit& limit : quality_limits()) text += measure_row(limit);
-  text += columns_head + column_rows() + keys_head;
-  for (const FileKey& key : io::result_keys()) text += fmt::format("| `{}` | {} |\n", key.name, key.content);
-  text += figures_head;
+  text += columns_head + column_rows() + keys_head + key_table(io::result_keys()) + figures_head;
   for (const report::FigureKind& kind : report::figure_kinds())
     text += fmt::format("| `{}` | {} | {} | {:g} |\n", kind.name,
                         *kind.paper != '\0' ? fmt::format("`{}`", kind.paper) : "", kind.meaning, kind.width);

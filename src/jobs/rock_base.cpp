@@ -20,6 +20,7 @@ namespace {
 constexpr const char* folder = "data/rocks/";
 constexpr std::size_t fewest_angles = 3;  // two have no shape beside their ratio
 constexpr double farthest = 0.25;         // of curves over their means; beyond it a rock is no neighbour
+// Those measured most often at several angles: a neighbour by a rare property would be one of few candidates.
 constexpr Property compared[] = {Property::ucs, Property::E, Property::brazilian};
 
 std::string path_of(const std::string& name, const char* file) { return folder + name + "/" + file; }
@@ -42,6 +43,7 @@ bool is_embedded(const std::string& path) {
 }
 
 /// The name of the table in a rock file, `"../dyn_th26.csv"`, without its quotes.
+// By hand and not by the parser, since the copy has to replace exactly these letters.
 std::string data_of(std::string_view rock) {
   constexpr std::string_view key = "\ndata = \"";
   const std::size_t begin = rock.find(key) + key.size();
@@ -50,6 +52,7 @@ std::string data_of(std::string_view rock) {
 
 /// Where the table lies that a rock file names.
 std::string table_path(const std::string& name, const std::string& data) {
+  // Embedded files have names, no folders: ".." must be resolved before the look-up.
   return std::filesystem::path(path_of(name, data.c_str())).lexically_normal().generic_string();
 }
 
@@ -59,6 +62,7 @@ using Curve = std::map<double, double>;  // by angle
 Curve curve_of(const std::vector<Target>& table, Property property) {
   Curve curve;
   for (const Target& t : least_confined(table))
+    // Strength rises with confinement too steeply to be compared; E may be measured under a small one.
     if (t.property == property && (property == Property::E || t.confining == 0.0))
       curve.emplace(t.theta, t.mean);
   return curve;
@@ -67,6 +71,7 @@ Curve curve_of(const std::vector<Target>& table, Property property) {
 /// On the straight line between the neighbours; NaN outside.
 double at(const Curve& curve, double theta) {
   const auto above = curve.lower_bound(theta);
+  // No extrapolation: beyond its last angle a curve may turn.
   if (above == curve.end()) return nan;
   if (above->first == theta) return above->second;
   if (above == curve.begin()) return nan;
@@ -78,6 +83,7 @@ double at(const Curve& curve, double theta) {
 double difference(const Curve& table, const Curve& base) {
   std::vector<std::pair<double, double>> both;
   double of_table = 0.0, of_base = 0.0;
+  // Only the base is interpolated: the table's own angles are what the user knows.
   for (const auto& [theta, value] : table)
     if (const double other = at(base, theta); !std::isnan(other)) {
       both.emplace_back(value, other);
@@ -86,6 +92,7 @@ double difference(const Curve& table, const Curve& base) {
   if (both.size() < fewest_angles) return nan;
   const auto n = static_cast<double>(both.size());
   double sum = 0.0;
+  // Each over its mean: the shape over the angle is compared, as strength itself scales with the parameters.
   for (const auto& [value, other] : both) sum += std::pow(n * value / of_table - n * other / of_base, 2);
   return std::sqrt(sum / n);
 }
@@ -122,6 +129,7 @@ Rock base_rock(const std::string& name) {
   check_known(name);
   const std::string path = path_of(name, "rock.toml");
   const std::string_view text = embedded(path);
+  // No folder to read the table from: it is handed over as text.
   return rock::parse_rock(text, path, {std::string(embedded(table_path(name, data_of(text)))), {}});
 }
 
@@ -134,6 +142,7 @@ std::vector<BaseFile> base_files(const std::string& name) {
   check_known(name);
   std::string rock(embedded(path_of(name, "rock.toml")));
   const std::string data = data_of(rock);
+  // In the copy both lie in one folder, whatever path the table has in the source tree.
   rock.replace(rock.find(data), data.size(), "table.csv");
   std::vector<BaseFile> files = {{"rock.toml", rock},
                                  {"table.csv", std::string(embedded(table_path(name, data)))}};
@@ -148,12 +157,15 @@ rock::Start start_like(const std::string& name) {
   const report::CardModel model = report::model_of_card(base_card(name));
   rock::Start start;
   start.layers = model.layers, start.matrix = model.matrix;
+  // The template has tangent_50 anyhow; a table without E says nothing of its reading.
   if (!of_property(targets_of(like), Property::E).empty() && like.E_is != ModulusReading::tangent_50)
     start.E_is = to_string(like.E_is);
   start.size = like.model.specimen;
+  // A grain size that nobody measured is a guess of the program, not a property to pass on.
   if (like.grains_stated) start.grain_size = rounded(grain_size(like.model), 4);
   start.bedded = like.bedded;
   if (like.bedded && !like.model.bedding.empty())
+    // Four digits: more would come from the conversion of units alone.
     start.spacing = rounded(like.model.bedding.front().spacing, 4);
   return start;
 }
@@ -169,6 +181,7 @@ std::optional<Finding> nearest_rock(const std::vector<Target>& table) {
     double least = farthest;
     for (const BaseTable& other : base_tables()) {
       const Curve base = curve_of(other.targets, p);
+      // Users try the program with its own tables: "nearest is itself" would tell them nothing.
       if (base == curve && std::ranges::find(same, other.title) == same.end()) same.push_back(other.title);
       const double d = difference(curve, base);
       any = any || !std::isnan(d);
@@ -179,8 +192,10 @@ std::optional<Finding> nearest_rock(const std::vector<Target>& table) {
     found.numbers.push_back({"difference", least});
     found.names.insert(found.names.end(), {nearest->title, nearest->name});
   }
+  // Also without a neighbour: that all are farther than this is an answer.
   found.numbers.push_back({"farthest", farthest});
   found.names.insert(found.names.end(), same.begin(), same.end());
+  // Where no curve could be compared, "none is near" would be untrue.
   return any ? std::optional(found) : std::nullopt;
 }
 

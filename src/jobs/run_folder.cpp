@@ -25,6 +25,7 @@ std::vector<Problem> idle_stresses(const Recipe& recipe, const std::string& path
   const TestKind& kind = recipe.test.kind;
   for (const TestDescription* other : laboratory_tests())
     if (const KeptStress& stress = other->kept_stress;
+        // The default is 0, so that a positive value was typed, for a test that is not run.
         stress.value != nullptr && other != &*kind && recipe.test.*stress.value > 0.0)
       problems.push_back(
           {path, std::string("test.") + stress.key,
@@ -40,6 +41,7 @@ std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> result
     const std::string& folder, const Recipe& recipe) {
   std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> others;
   std::error_code none;
+  // A folder that is still to be made holds nothing.
   if (!std::filesystem::is_directory(folder, none)) return others;
   for (const std::string& result : io::result_folders(folder)) {
     try {
@@ -66,6 +68,7 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
   for (const auto& [result, differences] : others) ++n_alike[alike(differences)];
   const bool of_one_recipe = n_alike.size() == 1;
   for (const auto& [result, differences] : others) {
+    // The first of a group reports for all; the zero left behind silences the others.
     const int n = std::exchange(n_alike[alike(differences)], 0);
     if (n == 0) continue;
     const std::string where = n == 1 ? result : folder + " (" + std::to_string(n) + " results)";
@@ -81,6 +84,7 @@ std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe
                                          const std::string& path, bool replace) {
   std::vector<Problem> problems = idle_stresses(recipe, path);
   if (std::optional<Problem> p = problem_of_page(folder, PageOf::run)) problems.push_back(*std::move(p));
+  // A folder of something else is not searched further: each result in it would be another problem.
   if (!problems.empty()) return problems;
   for (const std::string& name : specimen_names(recipe))
     io::check_result_place((std::filesystem::path(folder) / io::folder_name(name)).string());
@@ -88,6 +92,7 @@ std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe
     return problems_of_others(folder, recipe, path,
                               fmt::format("use another {}, or {} to remove them when the run begins",
                                           option("out"), option_set("replace")));
+  // --replace removes these: what cannot be removed must show before hours of tests.
   for (const auto& [other, differences] : results_of_others(folder, recipe)) io::check_result_place(other);
   return {};
 }
@@ -108,6 +113,7 @@ std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
         fmt::format("it holds {}, and {} would overwrite its report.html. Choose another {}", what, own_name,
                     option("out")));
   };
+  // request.toml too: a calibration that has just begun has no result yet.
   if (own != PageOf::calibration && (has("calibration.json") || has(request_file)))
     return problem("a calibration");
   if (own != PageOf::study && has("study.toml")) return problem("a study");
@@ -120,10 +126,12 @@ std::string page_of(const std::string& folder) {
 }
 
 void write_run_report(const std::string& folder, const std::vector<TestResult>& results) {
+  // Read from disk again, so that the page has the tests of earlier runs in this folder, too.
   RunRecord run = holds_results(folder) ? io::read_run(folder) : RunRecord();
   for (const TestResult& r : results) {
     if (r.outcome.status != Status::interrupted) continue;
     const std::string name = io::folder_name(r.name);
+    // An older, unreadable folder of this name is reported once, by the newer reason.
     std::erase_if(run.missing,
                   [&](const MissingTest& m) { return std::filesystem::path(m.name).filename() == name; });
     run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
@@ -137,6 +145,7 @@ ResultFolder::ResultFolder(const std::string& folder)
 }
 
 ResultFolder::~ResultFolder() {
+  // remove() takes empty folders alone: its failure is the wanted outcome.
   std::error_code not_empty;
   if (is_new) std::filesystem::remove(path, not_empty);
 }

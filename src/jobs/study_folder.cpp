@@ -44,6 +44,7 @@ study::Study study_in(const std::string& folder) {
 std::vector<std::string> shards_in(const std::string& folder) {
   std::vector<std::string> shards;
   for (const fs::path entry : io::list_folder(folder))
+    // By name and not by the plan: shards of another division of the study have to be merged as well.
     if (entry.filename().string().starts_with("shard-") && entry.extension() == ".sqlite")
       shards.push_back(entry.string());
   return shards;
@@ -77,12 +78,15 @@ std::vector<study::RecipeDifference> differences_by_angle(
                             as_now = study::specimens_of(here, here.base);
   for (std::size_t i = 0; i < old.size(); ++i) {
     const auto k = static_cast<std::size_t>(std::find(now.begin(), now.end(), old[i]) - now.begin());
+    // An angle that was dropped leaves its results in the store, unused.
     if (k == now.size()) continue;
     for (study::RecipeDifference& d : study::differences(as_old[i], as_now[k])) {
+      // The base recipe is the cause then, and would be told again for every angle.
       if (std::any_of(reported.begin(), reported.end(), [&](const auto& t) { return t.key == d.key; }))
         continue;
       const auto known =
           std::find_if(keys.begin(), keys.end(), [&](const OfKey& o) { return o.first.key == d.key; });
+      // One line per key: a speed set for seven angles would be seven lines.
       if (known != keys.end())
         ++known->n_others;
       else
@@ -106,6 +110,7 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
     if (std::optional<Problem> p = problem_of_page(folder, PageOf::study)) throw InputError(*std::move(p));
     return;
   }
+  // The copy in the folder, not the file it came from, which may have been edited since.
   const study::Study there = study_in(folder);
   const std::string remedy =
       "the folder holds another study: use another " + option("out") + ", or remove the folder";
@@ -113,6 +118,7 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   if (there.name != study.name) heads.push_back({"name", there.name, study.name});
   if (there.solver != study.solver)
     heads.push_back({"solver", study::to_string(there.solver), study::to_string(study.solver)});
+  // Ranges and points are not compared: a study may grow in its folder.
   std::vector<Problem> problems = problems_of(folder, heads, "as in the study file", remedy);
   const std::vector<study::RecipeDifference> bases = study::differences(there.base, study.base);
   for (Problem& p : problems_of(folder + "/recipe.toml", bases, "as in the base recipe", remedy))
@@ -129,20 +135,24 @@ void refuse_unmerged(const std::string& folder) {
   const std::vector<std::string> parts = shards_in(folder);
   const std::string whole = store_file(folder, {});
   std::vector<std::string> known;
+  // Results that are in both are safe; only those of parts alone would run again.
   if (!parts.empty() && fs::exists(whole)) known = study::Store(whole).keys();
   for (const std::string& part : parts) {
     const std::vector<std::string> keys = study::Store(part, study::Sharing::alone).keys();
+    // Both lists of keys are sorted, as a store returns them.
     if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
       throw IoError(fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole,
-                                sh_word(folder)));
+                                shell_word(folder)));
   }
 }
 
 void check_study_outputs(const StudyFiles& files, const std::string& folder, const study::Shard& shard) {
   std::vector<std::string> fresh;
   for (const auto& [name, content] : files)
+    // A file that already says the same is no obstacle: a study is resumed by its first command, too.
     if (!io::holds(in(folder, name), content)) fresh.push_back(in(folder, name));
   io::check_outputs(fresh);
+  // A part has no tables: curves of some points would look like those of all.
   if (shard.n == 1) check_tables(folder, files.empty() ? "" : "out");
 }
 
@@ -171,6 +181,7 @@ std::string progress_text(const study::Progress& p, double seconds) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
   if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);
   text += fmt::format(", {:.0f} s", seconds);
+  // Before the first result a speed would be a division by nothing.
   if (p.work <= 0.0) return text + ", starting";
   return text + fmt::format(", {:.0f} per minute, about {} left",
                             60.0 * static_cast<double>(p.n_new) / seconds,

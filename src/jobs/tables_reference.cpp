@@ -80,6 +80,7 @@ and the check says so.
 
 /// "3 %", or the difference itself of a property that is compared as it is.
 std::string share(const MeasuredProperty& property, double value) {
+  // Poisson's ratio and its like are compared by difference: a share of a small number says nothing.
   return property.absolute ? fmt::format("{:g}", value) : fmt::format("{:g} %", 100.0 * value);
 }
 
@@ -94,6 +95,7 @@ std::string tables_reference() {
   text += tolerances_head;
   for (const MeasuredProperty& p : measured_properties())
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, share(p, p.tolerance), share(p, p.coarsest),
+                        // Moduli need no time steps, and so no test of the press.
                         share(p, p.usual_scatter), p.test == nullptr ? "direct solution" : p.test);
   text += units_head;
   for (const UnitRow& u : unit_rows())

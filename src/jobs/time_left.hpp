@@ -18,11 +18,8 @@ struct SecondsRange {
 /// Seconds of `threads` per unit of cost, as a short test on this machine shows; measured once.
 double seconds_per_cost(int threads);
 
-/// Of a calibration before it begins.
-SecondsRange expected_seconds(const calibrate::Ahead& ahead, double seconds_per_cost);
-
-/// `course_expected`: tests and time of a calibration before it begins.
-Finding expected_course(const calibrate::Ahead& ahead, int threads);
+/// `course_expected`: tests and time of a calibration by one model, before it begins.
+Finding expected_course(const calibrate::Outlook& outlook, int threads);
 
 /// A clock fed with what happens; times are seconds since any one moment.
 class TimeLeft {

@@ -34,18 +34,10 @@ void take_matrix(MatrixRecipe& m, MatrixModel model) {
   }
 }
 
-/// Four strengths that a model is expected to have before any test, UCS among them.
-bool shows_layers(const Evidence& evidence) {
-  constexpr std::ptrdiff_t least_strengths = 4;
-  // one is left out, and three others have to say something of it
-  return evidence.has(Property::ucs) &&
-         std::ranges::count_if(evidence.strengths, is_expected) >= least_strengths;
-}
-
 bool shows_matrix(const Evidence& evidence) {
   const bool bedded = evidence.rock.bedded;
   return !(bedded && of_parallel_bonds(evidence.rock.layers)) && evidence.has(Property::ucs) &&
-         (!bedded || shows_layers(evidence)) &&
+         (!bedded || shows_layers(evidence.strengths)) &&
          std::ranges::any_of(evidence.targets, [](const Target& t) { return is_tensile(t.property); });
 }
 
@@ -66,7 +58,8 @@ bool is_mapped(const RockModel& model) {
 /// Is it compared beside what the file asks for?
 bool is_open(const RockModel& model, const Evidence& evidence) {
   const Rock& rock = evidence.rock;
-  const bool any_layers = rock.bedded && rock.layers == LayerModel::choose && shows_layers(evidence),
+  const bool any_layers =
+                 rock.bedded && rock.layers == LayerModel::choose && shows_layers(evidence.strengths),
              any_matrix = !rock.matrix && shows_matrix(evidence);
   const auto same_layers = [&](const RockModel& asked) { return asked.layers == model.layers; };
   const auto same_matrix = [&](const RockModel& asked) { return asked.matrix == model.matrix; };
@@ -109,7 +102,7 @@ const RockModel& model_of(const Rock& rock) {
 std::vector<Rock> candidates_of(const Evidence& evidence) {
   const Rock& rock = evidence.rock;
   // a share that a recipe states is not for us to move
-  const bool shares = !has_bridges(rock.model) && shows_layers(evidence);
+  const bool shares = !has_bridges(rock.model) && shows_layers(evidence.strengths);
   std::vector<Rock> all;
   for (const RockModel& model : rock_models()) {
     if (model.layered != rock.bedded || (!is_asked_for(model, rock) && !is_open(model, evidence))) continue;

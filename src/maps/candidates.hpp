@@ -25,12 +25,6 @@ const RockModel& model_of(const Rock& rock);
 /// only models that were mapped are compared: of others nothing is expected before a test.
 std::vector<Rock> candidates_of(const Evidence& evidence);
 
-/// Is a strength expected of models before any test (prior_regression.hpp), whatever the size of their
-/// grains?
-inline bool is_expected(const Target& t) {
-  return t.confining == 0.0 && measured(t.property).grain_exponent == 0.0;
-}
-
 /// "joints on planes", "joints on 0.6 of the planes", "flat joints".
 std::string model_in_words(const Rock& rock);
 /// All, the shares of the planes in one: "joints on planes; joints on 0.8, 0.65 of the planes".

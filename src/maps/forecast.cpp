@@ -397,7 +397,8 @@ std::vector<Finding> findings_of(const Forecast& f) {
     for (const Target& t : f.unmapped) silent.cells.push_back(cell_of(t));
     list.push_back(silent);
   }
-  list.push_back(record_of(*f.model)), list.push_back(record_on_rocks(embedded("data/rocks/forecasts.csv")));
+  list.push_back(record_of(*f.model, embedded("data/rocks/synthetic_forecasts.csv")));
+  list.push_back(record_on_rocks(embedded("data/rocks/forecasts.csv")));
   return list;
 }
 

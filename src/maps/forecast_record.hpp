@@ -8,8 +8,9 @@
 
 namespace phy::maps {
 
-/// Of synthetic specimens by this model.
-Finding record_of(const MappedModel& model);
+/// Of synthetic specimens by this model, by a table with columns "models", "wrong" and "of"
+/// (data/rocks/synthetic_forecasts.csv).
+Finding record_of(const MappedModel& model, std::string_view csv);
 
 /// How often errors of measured rocks came out in the range that was expected of them, by a table with
 /// columns "low", "high" and "reached" (data/rocks/forecasts.csv, which `make rocks` writes).

@@ -31,6 +31,7 @@ namespace phy::python {
 namespace {
 
 py::object value_of(const OptionValue& value) {
+  // None is Python's word for "not asked for"; an empty text would be shown as a default to be typed.
   if (value == OptionValue(std::string())) return py::none();
   return std::visit([](const auto& v) -> py::object { return py::cast(v); }, value);
 }
@@ -48,6 +49,7 @@ py::list calibration_options() {
 
 Calibration calibrate(const NamedRock& rock, const py::dict& options, int threads,
                       const py::object& progress) {
+  // Before the interpreter is released: a dict must not be read without it.
   jobs::CalibrationRequest request = jobs::request_of(tree_of(options, ""), "");
   request.rock = rock.source;
   Calibration result;
@@ -60,6 +62,7 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
     };
     hooks.say = [&](const std::string& text) { watch.say(text); };
     result = job.run(hooks);
+    // As the command: a page of half a calibration would be taken for a whole one.
     if (request.out.empty() || result.verdict.status == VerdictStatus::interrupted) return;
     jobs::write_report(request.out);
     job.finish();
@@ -68,6 +71,7 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
 }
 
 void save(const Calibration& c, const std::string& folder) {
+  // All files are looked at before the first is written: half of a calibration is none.
   jobs::check_calibration_outputs(folder);
   jobs::write_calibration(folder, c);
   jobs::write_report(folder);
@@ -76,6 +80,7 @@ void save(const Calibration& c, const std::string& folder) {
 /// What its figure shows (report/figure.hpp), as JSON. `json`: the text of calibration.json, `file`: its
 /// name.
 std::string calibration_figure(const std::string& json, const std::string& file) {
+  // From the text, so that a calibration that was loaded is drawn in the same way.
   return report::figure_json(report::calibration_figure(report::comparisons_of(json, file))).dump();
 }
 
@@ -84,6 +89,7 @@ std::string calibration_figure(const std::string& json, const std::string& file)
 py::object missed(const std::string& json, const std::string& file, const std::string& name, double theta,
                   double confining) {
   const MeasuredProperty* property = find_property(name);
+  // ValueError: what Python raises for a word that is none of its list.
   if (property == nullptr) throw py::value_error(name + ": no property of a table");
   const calibrate::Discrepancy discrepancy(report::comparisons_of(json, file).residuals);
   if (!discrepancy.knows(property->property)) return py::none();
@@ -94,12 +100,14 @@ py::object missed(const std::string& json, const std::string& file, const std::s
   for (std::size_t k = 0; k < discrepancy.n_draws(); ++k)
     of_draws.push_back(std::exp(discrepancy.of_draw(term, k)));
   py::dict row;
+  // The discrepancy lives in logarithms, where factors of 2 and of 1/2 weigh alike.
   row["factor"] = std::exp(term.mean), row["sd"] = std::sqrt(term.variance), row["of_draws"] = of_draws;
   return row;
 }
 
 study::Study study_from(const py::dict& keys, const py::object& recipe) {
   const auto base = recipe.cast<Recipe>();
+  // The reader of study files wants a name there; the recipe itself is handed over beside it.
   keys["recipe"] = base.name;
   return study::study_of(tree_of(keys, "study"), "study", base);
 }
@@ -129,6 +137,7 @@ using StudyTexts = std::map<std::string, std::string>;
 
 /// By name: the tables as CSV, the text that the program prints, the hash. Empty where nothing has finished.
 StudyTexts texts_of(const study::Plan& plan, const study::StudyRows& rows) {
+  // Effects of nothing would be tables of headers alone.
   if (std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); })) return {};
   const std::vector<study::Response> all = study::all_responses(plan, rows);
   return {{"table", study::study_csv(plan, rows)},
@@ -141,7 +150,9 @@ StudyTexts texts_of(const study::Plan& plan, const study::StudyRows& rows) {
 StudyTexts run_study(const py::object& source, const py::dict& keys, const std::string& folder, int threads,
                      const py::object& progress) {
   const bool from_file = py::isinstance<py::str>(source);
+  // A text is the name of a file, as in all of the package; keys come as a dict beside a Recipe.
   const std::string path = from_file ? source.cast<std::string>() : "";
+  // Keys hold objects of Python and are read here; a file is read below, where it may be slow.
   study::Study wanted = from_file ? study::Study() : study_from(keys, source);
   StudyTexts answer;
   run_released(progress, [&](Watch& watch) {
@@ -184,6 +195,7 @@ void add_calibrations(py::module_& m) {
       .def("text", [](const Calibration& c) { return jobs::screen_of(c, 0); })
       .def("json", [](const Calibration& c) { return report::calibration_json(c, phy::version); })
       .def("save", &save, py::arg("folder"));
+  // Python makes its keyword arguments and their help of this list.
   m.def("calibration_options", &calibration_options);
   m.def("calibrate", &calibrate, py::arg("rock"), py::arg("options"), py::arg("threads"),
         py::arg("progress"));

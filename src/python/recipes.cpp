@@ -19,6 +19,7 @@
 #include "records/specimen_record.hpp"
 #include "report/finding_json.hpp"
 #include "rock/file.hpp"
+#include "rock/schema.hpp"
 #include "study/study_in.hpp"
 
 namespace phy::python {
@@ -27,6 +28,7 @@ namespace {
 using io::TomlValue;
 using Kind = TomlValue::Kind;
 
+// Values become the tree that the parser of TOML makes: one reader checks files and keyword arguments alike.
 TomlValue value_of(const py::handle& value, const std::string& path, const std::string& where);
 
 TomlValue of_kind(Kind kind, double number, std::string text = "") {
@@ -37,6 +39,7 @@ TomlValue of_kind(Kind kind, double number, std::string text = "") {
 
 [[noreturn]] void refuse(const py::handle& value, const std::string& path, const std::string& where,
                          const char* expected) {
+  // repr shows the type, too: '5' and 5 look alike otherwise.
   throw InputError(Problem{where, path, py::repr(value).cast<std::string>(), expected, ""});
 }
 
@@ -70,16 +73,21 @@ TomlValue table_of(const py::dict& keys, const std::string& path, const std::str
 TomlValue value_of(const py::handle& value, const std::string& path, const std::string& where) {
   if (py::isinstance<py::str>(value)) {
     auto text = value.cast<std::string>();
+    // The recipe is written as TOML again, where a line break in a name would not be read back.
     if (!is_plain(text)) refuse(value, path, where, "text without line breaks and other control characters");
     return of_kind(Kind::text, 0.0, std::move(text));
   }
+  // Before integers: True is an integer in Python, too.
   if (py::isinstance<py::bool_>(value)) return of_kind(Kind::boolean, value.cast<bool>() ? 1.0 : 0.0);
   if (py::isinstance<py::dict>(value)) return table_of(py::reinterpret_borrow<py::dict>(value), path, where);
   if (py::hasattr(value, "tolist")) return value_of(value.attr("tolist")(), path, where);  // of NumPy
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) return list_of(value, path, where);
+  // Through __index__, which integers of NumPy have as well. The text is for messages: a double may show
+  // other digits.
   if (PyIndex_Check(value.ptr()) != 0)
     return of_kind(Kind::integer, py::float_(value.attr("__index__")()), py::str(value).cast<std::string>());
   if (py::isinstance<py::float_>(value)) return of_kind(Kind::number, value.cast<double>());
+  // pathlib.Path and its like, for keys that name files.
   if (py::hasattr(value, "__fspath__")) return value_of(value.attr("__fspath__")(), path, where);
   refuse(value, path, where, "text (a quantity with its unit), a number, a switch, a list or a dict");
 }
@@ -90,6 +98,7 @@ void put_over(TomlValue& keys, const TomlValue& more) {
   if (tables)
     for (std::size_t i = 0; i < more.keys.size(); ++i)
       put_over(item_of(keys, more.keys[i].name), more.items[i]);
+  // With another number of sets nobody could tell which is meant: the list as a whole is new.
   const bool lists = keys.kind == Kind::list && more.kind == Kind::list && !more.items.empty() &&
                      keys.items.size() == more.items.size() && more.items.front().kind == Kind::table;
   if (lists)
@@ -99,6 +108,7 @@ void put_over(TomlValue& keys, const TomlValue& more) {
 
 Recipe changed(const Recipe& recipe, const py::kwargs& keys) {
   std::vector<Problem> none;
+  // Through text: the completed recipe has every key, and all checks run again on what comes out.
   TomlValue tree = io::parse_toml(io::write_recipe(recipe), "recipe", none);
   put_over(tree, tree_of(keys, "Recipe.changed"));
   return io::recipe_of(std::move(tree), "Recipe.changed");
@@ -122,6 +132,7 @@ py::object value_in(const Recipe& recipe, const std::string& path) {
                              "it has " + std::to_string(recipe.bedding.size())});
   if (f->get_text) return py::str(f->get_text(recipe));
   if (f->list) {
+    // The access to lists is that of the reader, which writes.
     Recipe copy = recipe;
     return py::cast(f->list(copy));
   }
@@ -152,6 +163,7 @@ std::vector<std::string> top_keys(const io::Schema& schema) {
 std::string findings_of(const NamedRock& r) {
   const jobs::RockCheck found = jobs::check(r.rock);
   report::Json all = report::findings_json(found.doubts);
+  // In the order of `rock check`: doubts first.
   for (const auto* more : {&found.statements, &found.limits})
     for (const report::Json& finding : report::findings_json(*more)) all.push_back(finding);
   return all.dump();
@@ -236,9 +248,11 @@ The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for 
           "specimens", [](const Recipe& r) { return specimen_names(r); },
           R"(Names of the specimens that it asks for: "theta = 30 deg", "intact".)")
       .def(
+          // As text: a recipe is what its file says, and text reads back in another version, too.
           py::pickle([](const Recipe& r) { return py::make_tuple(io::write_recipe(r)); },
                      [](const py::tuple& t) { return io::parse_recipe(t[0].cast<std::string>(), "recipe"); }))
       .def("__eq__",
+           // By their texts: notes on how keys were written do not make another recipe.
            [](const Recipe& a, const Recipe& b) { return io::write_recipe(a) == io::write_recipe(b); })
       .def("__repr__", [](const Recipe& r) { return "<phyllite.Recipe \"" + r.name + "\">"; });
 }
@@ -268,9 +282,11 @@ void add_recipes(py::module_& m) {
       .def_property_readonly("targets", &rows_of_targets)
       .def_property_readonly("findings", &findings_of)
       .def("check", [](const NamedRock& r, bool all) {
+        // Width 0: a notebook breaks lines itself.
         return jobs::rock_check(r.rock, r.source, 0, jobs::n_threads(0), all);
       });
 
+  // All three files at once: in Python nobody knows which of them has a key.
   m.def("explain", [](const std::string& key) {
     return jobs::explain({&io::recipe_schema(), &rock::rock_schema(), &study::study_schema()}, key);
   });

@@ -42,6 +42,7 @@ std::vector<TestResult> press(const Recipe& recipe, const Specimens& specimens, 
         {std::to_string(p.n_done) + "/" + std::to_string(p.n_total) + " specimens", p.n_done, p.n_total});
   };
   hooks.on_result = [&](std::size_t i, const TestResult& r) {
+    // An interrupted test would stand beside finished ones as if it were a result.
     if (r.outcome.status == Status::interrupted) return;
     if (!folder.empty())
       io::write_result((std::filesystem::path(folder) / io::folder_name(r.name)).string(), recipe,
@@ -61,14 +62,17 @@ Tests run(const Recipe& recipe, const std::string& folder, bool replace, int thr
       std::vector<Problem> problems = jobs::run_folder_problems(folder, recipe, "recipe", replace);
       if (!problems.empty()) throw InputError(std::move(problems));
       io::check_outputs({jobs::page_of(folder)});
+      // Goes away with this call where nothing has come into it.
       place.emplace(folder);
     }
     const auto packing =
         genesis::packing_of(recipe, genesis::default_cache_folder(), [&] { return watch.stop.load(); });
     for (Specimen& s : genesis::make_specimens(packing, recipe))
       specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+    // As the command checks, before hours: pressing a specimen that carries nothing would only time out.
     lab::check_load_path(*specimens.front(), recipe);
     lab::check_scene_room(*specimens.front(), recipe);
+    // Only now that all checks have passed are older results removed.
     if (place && replace)
       for (const auto& [other, differences] : jobs::results_of_others(folder, recipe))
         io::remove_folder(other);
@@ -77,6 +81,7 @@ Tests run(const Recipe& recipe, const std::string& folder, bool replace, int thr
                                  [](const TestResult& r) { return r.outcome.status != Status::interrupted; });
     if (place && any) jobs::write_run_report(folder, results);
   });
+  // One copy for all specimens: a recipe may hold long lists.
   const auto own = std::make_shared<const Recipe>(recipe);
   Tests tests;
   for (std::size_t i = 0; i < results.size(); ++i)
@@ -88,11 +93,14 @@ py::dict elastic_row(const study::ElasticStudy& s, std::size_t i) {
   const ElasticResult &one = s.one_sided[i], &both = s.bilateral[i];
   py::dict row;
   row["name"] = one.name;
+  // NaN, since a number would place intact rock among the angles.
   row["theta"] = layered(s.specimens[i]) ? s.theta(i) : std::nan("");
   row["E"] = one.E_gauge, row["nu"] = one.nu_gauge, row["E_platen"] = one.E_platen;
+  // Pulling contacts make the model linear, the answer that Eq. 2 is fitted to.
   row["E_pulling"] = both.E_gauge, row["nu_pulling"] = both.nu_gauge;
   row["n_open"] = one.n_open, row["n_contacts"] = one.n_contacts, row["n_loose"] = one.n_loose;
   row["solved"] = one.outcome.ok() && both.outcome.ok();
+  // Contacts that only push come first: they are what `E` is of.
   row["reason"] = one.outcome.reason.empty() ? both.outcome.reason : one.outcome.reason;
   return row;
 }
@@ -112,8 +120,10 @@ py::list sensitivities_of(const study::ElasticStudy& s) {
 /// Eq. 1 through E(theta), where the specimens are jointed rock.
 py::list joint_fits(const study::ElasticStudy& s, theory::Eq1Loss loss) {
   py::list rows;
+  // Eq. 1 would fit other rock as well, with numbers that mean nothing.
   if (s.n_angles() == 0 || !jointed_isotropic(s.recipe)) return rows;
   const BeddingRecipe& set = s.recipe.bedding[0];
+  // Dispersed joints have no spacing: K_n is NaN then, and only K_n delta is known.
   const double spacing = set.has_planes() ? set.spacing : std::nan("");
   for (const study::NamedFit& f : study::fit_all(s, loss)) {
     py::dict row;
@@ -142,6 +152,7 @@ py::tuple elastic(const Recipe& recipe, bool glued, bool modulus_loss, int threa
 }
 
 /// A step on the bench, with the closed form beside it.
+// Doubles throughout, so that NumPy reads it as one table without padding.
 struct BenchStep {
   double closure, slide, rotation, F_n, F_s, M, F_n_exact, F_s_exact, M_exact, dissipated, released, stored,
       broke;
@@ -159,6 +170,7 @@ std::vector<ContactPoint> path_of(const py::object& path, std::vector<Problem>& 
     const bool good = (p.size() == 2 || p.size() == 3) &&
                       std::all_of(p.begin(), p.end(), [](double v) { return std::isfinite(v); });
     if (good)
+      // Rotation may be left out: laws without bending have none.
       corners.push_back({p[0], p[1], p.size() == 3 ? p[2] : 0.0});
     else
       problems.push_back({"contact", "path", py::repr(corner).cast<std::string>(),
@@ -176,12 +188,14 @@ py::array contact(const std::string& name, const py::object& path, const std::ve
   std::vector<Problem> problems;
   const std::vector<double> v = jobs::parameters_of(law, values, problems);
   const std::vector<ContactPoint> corners = path_of(path, problems);
+  // The range of the command's --steps.
   if (steps < 1 || steps > 10'000'000)
     problems.push_back({"contact", "steps", std::to_string(steps), "1 to 10000000", ""});
   if (!problems.empty()) throw InputError(std::move(problems));
   const auto bench = lab::bench_contact(law.name, v);
   const std::vector<lab::BenchRow> rows = lab::drive(*bench, corners, steps);
   const std::vector<ContactForces> exact = verification::witness(law.name, v, corners, steps);
+  // A law without its witness would leave columns of numbers that belong to nothing.
   PHY_CHECK(exact.size() == rows.size(), "every law of the list has a closed form");
   std::vector<BenchStep> all;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -191,6 +205,7 @@ py::array contact(const std::string& name, const py::object& path, const std::ve
                    static_cast<double>(r.broke)});
   }
   std::vector<Member> members;
+  // In the order of the members of BenchStep: a name and its place are all that NumPy knows.
   for (const char* column : {"closure", "slide", "rotation", "F_n", "F_s", "M", "F_n_exact", "F_s_exact",
                              "M_exact", "dissipated", "released", "stored", "broke"})
     members.push_back({column, "f8", members.size() * sizeof(double)});

@@ -34,11 +34,13 @@ const Snapshot& last_state(const Test& test) {
 }
 
 const Packing& packing_of(Test& test) {
+  // Made when asked for: most users never look at discs, and a packing may take minutes.
   if (!test.packing) test.packing = genesis::packing_of(*test.recipe, genesis::default_cache_folder());
   return *test.packing;
 }
 
 std::vector<Member> history_members(const TestResult& result) {
+  // Offsets are measured on a row, since offsetof takes no pointer to a member.
   const HistoryRow row;
   std::vector<Member> members;
   for (const HistoryColumn& c : result.kind->columns)
@@ -49,6 +51,7 @@ std::vector<Member> history_members(const TestResult& result) {
 }
 
 const std::vector<Member>& crack_members() {
+  // NumPy reads these bytes by the types named below: another size would shift every column behind it.
   static_assert(sizeof(CrackMode) == 1 && sizeof(CrackPlace) == 1 && sizeof(Vec2) == 2 * sizeof(double));
   using C = CrackEvent;
   constexpr std::size_t y = sizeof(double);
@@ -88,6 +91,7 @@ py::list columns_of(const Test& t) {
 }
 
 py::dict numbers_of(const Test& t) {
+  // A dict of Python whose message for an unknown name lists the near ones.
   py::dict numbers = py::module_::import("phyllite.names").attr("Numbers")();
   for (const Number& n : t.result.numbers) numbers[py::str(n.name)] = n;
   return numbers;
@@ -100,6 +104,7 @@ py::tuple load_run(const std::string& folder) {
   for (SpecimenRecord& t : run.tests)
     tests.push_back(std::make_shared<Test>(
         Test{std::move(t.result), std::make_shared<const Recipe>(std::move(t.recipe)), nullptr}));
+  // Python turns them into warnings; an exception would hide the specimens that are there.
   py::list missing;
   for (const MissingTest& m : run.missing) missing.append(m.name + ": " + m.reason);
   return py::make_tuple(tests, missing);
@@ -115,6 +120,7 @@ std::string run_figure(const Tests& tests, const std::string& word, const py::ob
   report::FigureData data;
   for (const auto& test : tests) {
     data.run.tests.emplace_back();
+    // Copies: figures read records, and a chart is made once.
     data.run.tests.back().recipe = *test->recipe, data.run.tests.back().result = test->result;
   }
   if (!rock.is_none()) data.laboratory = targets_of(rock.cast<NamedRock&>().rock);
@@ -133,6 +139,7 @@ template <class Row>
 std::vector<Row> rows_from(const py::handle& bytes) {
   const auto text = bytes.cast<std::string>();
   std::vector<Row> rows(text.size() / sizeof(Row));
+  // Copied, since bytes of Python need not be aligned for a double.
   if (!rows.empty()) std::memcpy(rows.data(), text.data(), rows.size() * sizeof(Row));
   return rows;
 }
@@ -148,9 +155,11 @@ Number number_from(const py::tuple& t) {
 py::tuple state_of(const Test& test) {
   const TestResult& r = test.result;
   py::list snapshots;
+  // The last state alone, which is all that Python shows.
   if (!r.snapshots.empty())
     snapshots.append(
         py::make_tuple(bytes_of(r.snapshots.back().grains), bytes_of(r.snapshots.back().contacts)));
+  // The version first: rows are bytes of this build's structures, and another may lay them out differently.
   return py::make_tuple(phy::version, *test.recipe, r.name, r.intact, r.theta, to_string(r.outcome.status),
                         r.outcome.reason, r.outcome.advice, r.numbers, bytes_of(r.history.rows),
                         bytes_of(r.cracks), snapshots, r.n_steps, r.seconds, r.hash);
@@ -162,9 +171,11 @@ std::shared_ptr<Test> test_from(const py::tuple& t) {
         fmt::format("this result was pickled by phyllite {}, and this is {}; save folders instead: "
                     "phyllite.run(recipe, \"FOLDER\"), phyllite.load(\"FOLDER\")",
                     t[0].cast<std::string>(), phy::version));
+  // Without the packing: the recipe makes it again if somebody asks for discs.
   auto test = std::make_shared<Test>();
   test->recipe = std::make_shared<const Recipe>(t[1].cast<Recipe>());
   TestResult& r = test->result;
+  // The kind is a place in this process's list, so it comes from the recipe.
   r.kind = test->recipe->test.kind;
   r.name = t[2].cast<std::string>(), r.intact = t[3].cast<bool>(), r.theta = t[4].cast<double>();
   r.outcome = {status_of(t[5].cast<std::string>()).value(), t[6].cast<std::string>(),
@@ -195,6 +206,7 @@ void add_number(py::module_& m) {
       .def_readonly("note", &Number::note, "Why there is no value, or what to keep in mind.")
       .def_readonly("upper_bound", &Number::upper_bound, "The value is one; the note says why.")
       .def(py::pickle([](const Number& n) { return state_of(n); }, &number_from))
+      // So that a number can be used in a formula as it is.
       .def("__float__", [](const Number& n) { return n.value; })
       .def("__repr__", [](const Number& n) { return n.name + " = " + print_number(n.value) + " " + n.unit; });
 }
@@ -205,6 +217,7 @@ void add_outcome(SpecimenClass& specimen) {
       .def_property_readonly(
           "name", [](const Test& t) { return t.result.name; }, R"("theta = 30 deg", "intact".)")
       .def_property_readonly(
+          // NaN, as 0 would be an angle.
           "theta", [](const Test& t) { return t.result.intact ? std::nan("") : t.result.theta; },
           "Inclination of the bedding [deg]; NaN of intact rock.")
       .def_property_readonly(
@@ -241,6 +254,7 @@ void add_series(SpecimenClass& specimen) {
           "history",
           [](const py::object& self) {
             const TestResult& r = self.cast<Test&>().result;
+            // `self` keeps the result alive as long as an array over its memory is used.
             return view_of(r.history.rows, history_members(r), self);
           },
           "One row per test.history_interval cycles, a field per column: history[\"axial_stress\"].")

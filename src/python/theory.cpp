@@ -43,6 +43,7 @@ void add_to_signature(std::string& names, const py::arg_v& a) {
   add_to_signature(names, static_cast<const py::arg&>(a));
   names += "=" + py::repr(a.value).cast<std::string>();
 }
+// The text, which is no argument.
 void add_to_signature(std::string&, const char*) {}
 
 const char* text_in(const char* text) { return text; }
@@ -57,7 +58,9 @@ template <class F, class... Extra>
 void define(py::module_& m, const char* name, F&& f, const Extra&... extra) {
   std::string names;
   (add_to_signature(names, extra), ...);
+  // This first line is what CPython cuts off as __text_signature__; editors complete by it.
   const std::string text = fmt::format("{}({})\n--\n\n{}", name, names, text_in(extra...));
+  // pybind keeps the last text that it is given, so this one replaces the one among `extra`.
   m.def(name, std::forward<F>(f), extra..., text.c_str());
 }
 
@@ -66,6 +69,7 @@ std::string doc(const char* what, const char* source) { return std::string(what)
 
 void add_goodman(py::module_& m) {
   define(m, "goodman_E", py::vectorize([](double theta, double E, double K_n_delta, double K_s_delta) {
+           // E(theta) does not depend on nu.
            return theory::goodman_E({E, K_n_delta, K_s_delta, 0.0}, theta);
          }),
          "theta"_a, "E"_a, "K_n_delta"_a, "K_s_delta"_a,
@@ -145,6 +149,7 @@ matrix: strength of the matrix at the same sigma_3 [Pa]; other arguments as of w
 template <auto Diameter, auto Component>
 auto component() {
   return py::vectorize([](double rho, double P, double diameter, double alpha) {
+    // Thickness 1, as P is a force per thickness.
     return Diameter({diameter, 1.0, alpha, P}, rho).*Component;
   });
 }
@@ -153,6 +158,7 @@ template <auto Diameter>
 py::tuple on_diameter(const py::object& rho, const py::object& P, const py::object& diameter,
                       const py::object& alpha) {
   using S = theory::DiameterStress;
+  // py::vectorize returns one array, and a stress has two components: one pass for each.
   const py::cpp_function x(component<Diameter, &S::sigma_x>()), y(component<Diameter, &S::sigma_y>());
   return py::make_tuple(x(rho, P, diameter, alpha), y(rho, P, diameter, alpha));
 }
@@ -162,6 +168,7 @@ using Places = py::array_t<double>;
 py::tuple disc_stress(const Places& x, const Places& y, const theory::AnisotropicDisc& disc) {
   const auto of = [&](double theory::DiscStress::*component) {
     return py::vectorize(
+        // By reference: the disc is solved once for all places.
         [&disc, component](double at_x, double at_y) { return disc.at(at_x, at_y).*component; })(x, y);
   };
   using S = theory::DiscStress;
@@ -187,6 +194,7 @@ diameter [m]; alpha: half the loaded arc [deg].)",
          "Indirect tensile strength 2 P/(pi D t) [Pa]; P [N], diameter and thickness [m].");
   const auto amadei_disc = [](const Places& x, const Places& y, double P, double diameter, double alpha,
                               double theta, double E, double E_n, double nu, double nu_n, double G_n) {
+    // A disc is thin: nothing presses on its faces.
     const auto body = theory::plane_compliance({E, E_n, nu, nu_n, G_n}, theory::PlaneState::stress);
     return disc_stress(x, y, theory::AnisotropicDisc({theory::rotated(body, theta), diameter, alpha, P}));
   };
@@ -201,8 +209,9 @@ IJRMMS 33 (1996) 293-325, after S.G. Lekhnitskii, "Anisotropic Plates", Gordon &
 
 py::dict fit_goodman(const std::vector<double>& theta, const std::vector<double>& moduli,
                      std::optional<double> E) {
+  // The shorter list would be read beyond its end.
   if (theta.size() != moduli.size())
-    throw InputError(Problem{"fit_goodman", "E", std::to_string(moduli.size()) + " values",
+    throw InputError(Problem{"fit_goodman", "moduli", std::to_string(moduli.size()) + " values",
                              "one per inclination, " + std::to_string(theta.size()), ""});
   std::vector<theory::ModulusReading> readings;
   for (std::size_t i = 0; i < theta.size(); ++i) readings.push_back({theta[i], moduli[i]});
@@ -210,6 +219,7 @@ py::dict fit_goodman(const std::vector<double>& theta, const std::vector<double>
   options.reference = E ? theory::Eq1Reference::given : theory::Eq1Reference::free;
   options.E = E.value_or(nan);
   const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
+  // NaN beside `ok` and `reason`: a fit that failed in a loop over rocks should not end the loop.
   const auto number = [&](double v) { return fit.ok() ? v : std::nan(""); };
   return py::dict("E"_a = number(fit.rock.E), "K_n_delta"_a = number(fit.rock.K_n_delta),
                   "K_s_delta"_a = number(fit.rock.K_s_delta), "R2"_a = number(fit.R2), "ok"_a = fit.ok(),
@@ -235,6 +245,7 @@ py::dict fit_jaeger(const std::vector<double>& theta, const std::vector<double>&
 
 void add_theory(py::module_& m) {
   py::options own_signatures;
+  // pybind's own line names C++ types, and hides the signature that define() writes.
   own_signatures.disable_function_signatures();
   m.doc() = R"(Closed forms, the independent witness.
 

@@ -22,6 +22,7 @@ std::string particulars(const Target& t) {
 std::string test_name(const Target& t) { return to_string(t.property) + particulars(t); }
 
 std::string cell_name(const Target& t) {
+  // In direct shear the bedding lies level in the box: its cells differ by the normal stress alone.
   if (measured(t.property).along_bedding)
     return fmt::format("{}({:.3g} MPa)", to_string(t.property), t.confining * 1e-6);
   return fmt::format("{}({:g}{})", to_string(t.property), t.theta, particulars(t));
@@ -35,6 +36,7 @@ double interpolated(const std::vector<Comparison>& rows, const Target& t) {
     if (other.theta < t.theta && (below == nullptr || other.theta > below->theta)) below = &other;
     if (other.theta > t.theta && (above == nullptr || other.theta < above->theta)) above = &other;
   }
+  // Beyond the tested angles a straight line would be a guess: a yardstick has none there.
   if (below == nullptr || above == nullptr) return nan;
   const double part = (t.theta - below->theta) / (above->theta - below->theta);
   return below->mean + part * (above->mean - below->mean);

@@ -80,6 +80,10 @@ enum class VerdictStatus {
   interrupted
 };
 const char* to_string(VerdictStatus status);
+/// Does the model miss the table as a whole?
+inline bool misses_table(VerdictStatus status) {
+  return status == VerdictStatus::not_calibrated || status == VerdictStatus::out_of_reach;
+}
 
 /// What the numbers mean: the status (verdict/judge.hpp) with how many values are met, missed and open; each
 /// limit that the model or the table ran into; what the model may and may not be used for; where most of the
@@ -144,13 +148,15 @@ struct StrengthResidual {
 
 /// What a search of strengths had less than a usual one (calibrate/effort.hpp).
 struct Shortage {
-  bool of_effort = false;  ///< points, for a lower effort
-  bool of_tests = false;   ///< for too small a budget
-  bool foreseen = false;   ///< a lower effort, because the forecast saw the table out of reach
+  bool of_effort = false;   ///< points, for a lower effort
+  bool of_tests = false;    ///< for too small a budget
+  bool foreseen = false;    ///< a lower effort, because the forecast saw the table out of reach
+  bool below_most = false;  ///< an effort above the usual one is left
   /// Its estimate no longer moved, or came no nearer to the table: more tests would not move it either.
   bool settled = false;
   std::int64_t tests = 0;  ///< in compression, that a usual search takes more
   bool any() const { return of_effort || of_tests; }
+  bool may_be_longer() const { return any() || below_most; }
 };
 
 /// What a simulator was asked for and has answered.

@@ -56,6 +56,15 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
 
+/// Is a strength expected of models before any test (maps/prior_regression.hpp), whatever the size of their
+/// grains?
+inline bool is_expected(const Target& t) {
+  return t.confining == 0.0 && measured(t.property).grain_exponent == 0.0;
+}
+/// Can models of the layers be compared by these strengths? Four that are expected, UCS among them: one is
+/// left out, and three others have to say something of it.
+bool shows_layers(const std::vector<Target>& strengths);
+
 /// Relative change of E from the least to the largest confining stress, where it is more than chance and than
 /// twice the tolerance of E. Bonds are as stiff under any stress, so that no model without layers has it
 /// before its peak.

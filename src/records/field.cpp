@@ -13,6 +13,7 @@ std::string bound(const Field& f, double value) {
 }
 
 std::string interval(const Field& f) {
+  // 1e300 is no bound that anybody should read.
   if (f.max >= unbounded) return "numbers";
   return bound(f, f.min) + (f.above_min ? " < value" : " <= value") + (f.below_max ? " < " : " <= ") +
          bound(f, f.max);

@@ -49,6 +49,8 @@ struct Field {
   // apart, without it; empty: every recipe has it), whether it is left out of a file where it is as by
   // default, and its place in the recipe.
   std::string test;
+  /// Kinds of laboratory test that alone read it, for whoever offers keys by the test; empty: all do.
+  std::vector<std::string> read_by;
   bool omit_default = false;
   std::function<double(const Recipe&, std::size_t)> get;
   std::function<void(Recipe&, std::size_t, double)> set;
@@ -61,6 +63,7 @@ struct Field {
   // For the lists, where one statement gives a key all that it has.
   Field& within(double low, double high) { return min = low, max = high, *this; }
   Field& one_of(std::vector<std::string> words) { return choices = std::move(words), max = unbounded, *this; }
+  Field& of_tests(std::vector<std::string> kinds) { return read_by = std::move(kinds), *this; }
   Field& by_default(std::string text) { return default_text = std::move(text), *this; }
 };
 using Fields = std::vector<Field>;

@@ -8,6 +8,7 @@
 namespace phy {
 namespace {
 
+// From the lists of the enumeration itself: no kind can lack its word, nor stand in another place.
 constexpr std::string_view kinds[] = {
 #define PHY_WORD(word) #word,
 #include "records/finding_of_calibration.def"

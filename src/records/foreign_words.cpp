@@ -22,6 +22,7 @@ constexpr Variable variables[] = {
 struct Absent {
   const char *words, *instead;
 };
+// Words without a key: said why, since a script that is carried over has them, and they change results there.
 constexpr Absent absent[] = {
     {"rgap lin_gap",
      "it has no key: overlaps of a new packing are free of stress (packing.initial_stress = "
@@ -60,9 +61,11 @@ bool has_word(std::string_view words, const std::string& word) {
 ForeignWord foreign_word(const Fields& fields, const std::string& word, const std::string& table) {
   const Field* found = nullptr;
   for (const Field& f : fields)
+    // Friction stands in several tables. Whoever writes below [matrix] means the matrix.
     if (has_pfc_name(f, word) && (found == nullptr || (f.table == table && found->table != table)))
       found = &f;
   if (found != nullptr) return {found, formula_of(*found, word), ""};
+  // Properties of PFC first: a variable of a script may have any name, a property has one.
   for (const Variable& v : variables)
     if (word == v.word) return {find_field(fields, v.path), word, ""};
   for (const Absent& a : absent)
@@ -72,6 +75,7 @@ ForeignWord foreign_word(const Fields& fields, const std::string& word, const st
 
 double value_of(const ForeignWord& word, double theirs) {
   if (word.formula.starts_with("1/")) return 1.0 / theirs;
+  // A dip counts the other way round; planes are the same after half a turn.
   if (word.formula.starts_with("180 - ")) return std::fmod(std::fmod(180.0 - theirs, 180.0) + 180.0, 180.0);
   return theirs;
 }

@@ -1,10 +1,12 @@
 #include "records/lab_tests.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
+
+#include "base/text_table.hpp"
 
 namespace phy {
 
@@ -71,13 +73,27 @@ std::string name_of(const LabTest& test) {
 }
 
 std::string names_of(const std::vector<LabTests>& tests) {
-  std::vector<std::string> names;
+  struct Named {
+    std::string name;
+    std::vector<std::string> places;
+  };
+  std::vector<Named> names;
+  std::map<Property, std::size_t> placed;  // by tests that their places alone tell apart: named once
   for (const LabTests& some : tests) {
+    const LabTest& first = some.any_of.front();
+    if (some.any_of.size() == 1 && first.stress == StressAsked::any && first.where != Inclination::any) {
+      const auto [at, fresh] = placed.try_emplace(first.property, names.size());
+      if (fresh) names.push_back({measured(first.property).test_name, {}});
+      names[at->second].places.push_back(inclination_of(first));
+      continue;
+    }
     std::vector<std::string> alternatives;
     for (const LabTest& test : some.any_of) alternatives.push_back(name_of(test));
-    names.push_back(fmt::format("{}", fmt::join(alternatives, ", or ")));
+    names.push_back({joined_text(alternatives, ", or ", ", or "), {}});
   }
-  return fmt::format("{}", fmt::join(names, ", and "));
+  std::vector<std::string> texts;
+  for (const Named& n : names) texts.push_back(n.name + joined_text(n.places, ",", " and"));
+  return joined_text(texts, ", ", ", and ");
 }
 
 std::string text_of(const Support& support) {

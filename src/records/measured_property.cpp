@@ -21,6 +21,8 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .shown = {1e-9, "GPa", 1},
       .possible = {1e6, 1e12, "1 MPa <= E <= 1000 GPa"},
       .part = Part::moduli,
+      // Judgements, here and below: what passes and what matters (docs/tables.md), and a usual scatter that
+      // is worth four degrees of freedom (docs/theory/inference.md).
       .tolerance = 0.03,
       .coarsest = 0.15,
       .usual_scatter = 0.08,
@@ -36,6 +38,7 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .shown = {1.0, "", 3},
       // That of anisotropic rock may be negative or above 0.5.
       .possible = {-0.5, 1.5, "-0.5 <= apparent nu <= 1.5"},
+      // Relative errors of a nu near zero would be without bound.
       .absolute = true,
       .part = Part::moduli,
       .tolerance = 0.03,
@@ -71,6 +74,7 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .usual_scatter = 0.15,
       .test = "direct_tension",
       .number = "sigma_t",
+      // Of layered rock the maps have discs alone, which stand in a quarter turn from their load.
       .map = {"DTS/sigma_c", nullptr, false},
       .prior = tension_width},
      {.property = Property::brazilian,
@@ -106,6 +110,8 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .test = "biaxial",
       .number = "sigma_1",
       .under_stress = true,
+      // Wider than UCS: to its expectation comes a growth with the stress, by maps of the same bonds without
+      // layers.
       .prior = {0.2, 0.1, 0.06}},
      {.property = Property::crack_initiation,
       .name = "sigma_ci",
@@ -139,7 +145,9 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .number = "K_Ic_apparent",
       .of_discs = true,
       .splits = true,
+      // K_Ic = sigma_t sqrt(pi alpha R) of bonded discs (Potyondy & Cundall 2004).
       .grain_exponent = 0.5,
+      // Twenty-two models lie 0.33 about K_Ic/(BTS sqrt(d)) = 2.7 (docs/theory/calibration.md).
       .prior = {0.4, 0.2, 0.06}},
      // A point load has no counterpart in the plane. I_s(50) is about 0.8 of the Brazilian strength by the
      // ISRM (1985, Int. J. Rock Mech. Min. Sci. 22(2):51-60); the relation is empirical and differs from rock
@@ -193,6 +201,7 @@ const std::array<MeasuredProperty, n_properties> properties = {
       .read_in = Property::shear_peak,
       .under_stress = true,
       .along_bedding = true,
+      // As narrow as UCS: what slides has mu sigma_n.
       .prior = {0.15, 0.06, 0.04}}}};
 
 }  // namespace
@@ -209,6 +218,7 @@ const MeasuredProperty* find_property(std::string_view name) {
 
 std::optional<Property> property_of(std::string_view test, std::string_view number) {
   for (const MeasuredProperty& p : properties)
+    // A result of the Brazilian test is BTS; the point load index is only read off the same number.
     if (p.test != nullptr && test == p.test && number == p.number && p.share == 1.0) return p.property;
   return std::nullopt;
 }

@@ -58,6 +58,8 @@ const Parameter matrix_E_c{.key = "matrix.E_c",
                            .set =
                                [](Recipe& r, double v) {
                                  r.matrix.E_c = v;
+                                 // One modulus of contacts and bonds, as in the paper: E(theta) does not tell
+                                 // the two apart.
                                  if (has_parallel_bonds(r)) r.matrix.E_b = v;
                                },
                            .modulus = ModulusRole{{"matrix.E_c", "matrix.E_b"},
@@ -67,7 +69,7 @@ const Parameter matrix_E_c{.key = "matrix.E_c",
                                                   {Property::E}}};
 
 /// Of contacts and bonds alike. The uniform-strain estimate nu = (1 - q)/(3 + q) falls by 4 q/(3 + q)^2 per
-/// logarithm of q = k_s/k_n.
+/// logarithm of q = k_s/k_n. E over E_c grows as q^0.22 over the whole box (data/maps/parallel-bond.csv).
 const Parameter matrix_ks_over_kn{
     .key = "matrix.ks_over_kn",
     .symbol = "k_s/k_n",
@@ -77,6 +79,7 @@ const Parameter matrix_ks_over_kn{
     .set =
         [](Recipe& r, double v) {
           r.matrix.ks_over_kn = v;
+          // As with the moduli: nu is one number, and would not settle two ratios.
           if (has_parallel_bonds(r)) r.matrix.bond_ks_over_kn = v;
         },
     .modulus = ModulusRole{{"matrix.ks_over_kn", "matrix.bond_ks_over_kn"},
@@ -84,18 +87,23 @@ const Parameter matrix_ks_over_kn{
                            nullptr,
                            at_both_ends(Property::nu),
                            {Property::nu},
+                           // That slope at the usual q = 0.3.
                            4.0 * 0.3 / (3.3 * 3.3),
-                           0.15}};
+                           0.15,
+                           0.22}};
 
 const Parameter joint_k_n{
     .key = "bedding[0].k_n",
     .symbol = "k_n,sj",
     .unit = "Pa/m",
     .number = [](const Recipe& r) -> const double& { return joint(r).k_n; },
+    // At fifty times the rock between two planes a joint adds 2 % of compliance: stiffer ones cannot be told
+    // apart.
     .range = {0.02, 50.0, 0.5, &Scales::stiffness},
     .set = [](Recipe& r, double v) { r.bedding.front().k_n = v; },
     .belongs = has_joints,
     .modulus = ModulusRole{{"bedding[0].k_n"},
+                           // E(0) knows only K_n in Eq. 1: joints across the load shear not at all.
                            MacroNumber::K_n_delta,
                            [](const FirstSight& s) { return s.K_n_delta / s.joint_length; },
                            between(Property::E, 0.0, 15.0)}};
@@ -109,6 +117,7 @@ const Parameter joint_k_s{
     .set = [](Recipe& r, double v) { r.bedding.front().k_s = v; },
     .belongs = has_joints,
     .modulus = ModulusRole{{"bedding[0].k_s"},
+                           // Shear of the joints counts most at 45 degrees, where sin^2 cos^2 is largest.
                            MacroNumber::K_s_delta,
                            [](const FirstSight& s) { return s.K_s_delta / s.joint_length; },
                            between(Property::E, 30.0, 60.0)}};
@@ -124,6 +133,7 @@ namespace {
 // ---- strengths
 
 void scale_joints(Recipe& r, double factor) {
+  // sigma_n_sd is left alone: a calibrated joint has no scatter (is_ideal in rock/file.cpp).
   for (BeddingRecipe& b : r.bedding) b.cohesion *= factor, b.sigma_n *= factor;
 }
 
@@ -135,6 +145,7 @@ LabTest compression(const Evidence& e) { return {compression_of(e)}; }
 /// Of tests that speak of others as well, more of the same would not help.
 Rule rule_of(std::vector<LabTests> tests, const LabTest& next, bool held, bool shared) {
   Rule rule{held, std::move(tests), {}, shared};
+  // A test that is there already, and speaks of others too, settles nothing by being repeated.
   if (!held || !shared) rule.next = {next};
   return rule;
 }
@@ -142,6 +153,7 @@ Rule rule_of(std::vector<LabTests> tests, const LabTest& next, bool held, bool s
 /// Without bedding any UCS will do; with it, one that planes do not decide.
 Rule sigma_c_rule(const Evidence& e) {
   if (!e.rock.bedded) return {true, {compression(e)}, {}};
+  // UCS goes before strengths under confinement, which friction moves too.
   const bool ucs = e.has(Property::ucs, 0.0, near_0) || e.has(Property::ucs, near_90, 90.0);
   return {e.compressed(0.0, near_0) || e.compressed(near_90, 90.0),
           {at_either_end(ucs ? Property::ucs : Property::confined)},
@@ -159,6 +171,8 @@ const LabTests tension({{Property::direct_tension}, {Property::brazilian}, {Prop
 bool holds(const Evidence& e, const LabTests& any) { return !held_by(e.targets, {any}).empty(); }
 
 Rule tau_c_rule(const Evidence& e) {
+  // UCS and tension of bonds without planes tell tau_c from sigma_c; with planes only tension along them
+  // does.
   if (!e.rock.bedded) return {holds(e, tension), {compression(e), tension}, {tension}};
   return {sigma_c_rule(e).held && holds(e, tension_along),
           {compression(e), tension_along},
@@ -171,6 +185,7 @@ bool grows(const Evidence& e, double from, double to) {
   for (const Target& t : e.strengths)
     for (const Target& u : e.strengths)
       if (is_compressive(t.property) && is_compressive(u.property) && t.confining < u.confining &&
+          // At two inclinations strength differs by the planes, and that is no growth with the stress.
           (!e.rock.bedded || (t.theta == u.theta && t.theta >= from && t.theta <= to)))
         return true;
   return false;
@@ -179,6 +194,7 @@ bool grows(const Evidence& e, double from, double to) {
 /// Friction of the grains shows in strengths under confinement that planes do not decide, beside that of the
 /// bonds where these have one.
 Rule friction_rule(const Evidence& e) {
+  // At steep and flat planes alone: between them the joints slide, and show their own friction.
   const bool held = e.rock.bedded ? grows(e, 0.0, near_0) || grows(e, near_90, 90.0) : grows(e, 0.0, 90.0);
   const LabTest test = e.rock.bedded ? at_either_end(Property::confined) : LabTest{Property::confined};
   LabTest next = test;
@@ -190,6 +206,7 @@ Rule friction_rule(const Evidence& e) {
 }
 Rule joint_friction_rule(const Evidence& e) {
   LabTest next = between(Property::confined, 45.0, 60.0);
+  // The same stress again would repeat the strength that is known: growth needs another one.
   if (e.has(Property::confined, 30.0, 75.0)) next.stress = StressAsked::another;
   return {grows(e, 30.0, 75.0) || e.has(Property::shear_residual),
           {LabTests({between(Property::confined, 30.0, 75.0), {Property::shear_residual}})},
@@ -200,6 +217,7 @@ Rule joint_friction_rule(const Evidence& e) {
 Rule bedding_friction_rule(const Evidence& e) {
   const std::vector<Target> peaks = of_property(e.targets, Property::shear_peak);  // one for each stress
   const LabTest test{Property::shear_peak};
+  // One stress gives one peak, which cohesion alone explains.
   return {peaks.size() > 1, {test}, {test}};
 }
 
@@ -237,6 +255,7 @@ const Parameter matrix_sigma_c{
         [](Recipe& r, double v) {
           MatrixRecipe& m = r.matrix;
           const double scale = v / m.sigma_c;
+          // All strengths go along: sigma_c is the scale of the model, and the ratios below it stay.
           for (double* strength : {&m.sigma_c, &m.sigma_c_sd, &m.tau_c, &m.tau_c_sd}) *strength *= scale;
           scale_joints(r, scale);
           m.sigma_c = v;
@@ -248,10 +267,13 @@ const Parameter matrix_tau_c{.key = "matrix.tau_c",
                              .unit = "Pa",
                              .number = [](const Recipe& r) -> const double& { return r.matrix.tau_c; },
                              .over = &matrix_sigma_c,
+                             // Priors with a width are from literature, here and below: who has which is in
+                             // docs/theory/inference.md, "Prior".
                              .range = {0.8, 5.0, 2.0, nullptr, 0.6},
                              .set =
                                  [](Recipe& r, double v) {
                                    MatrixRecipe& m = r.matrix;
+                                   // Joints go along, whose cohesion is sought as a share of tau_c.
                                    const double scale = v * m.sigma_c / m.tau_c;
                                    m.tau_c *= scale, m.tau_c_sd *= scale;
                                    scale_joints(r, scale);
@@ -262,6 +284,7 @@ const Parameter matrix_mu{.key = "matrix.mu",
                           .symbol = "mu",
                           .unit = "1",
                           .number = [](const Recipe& r) -> const double& { return r.matrix.mu; },
+                          // 0.8 in the paper; sliding rock has 0.6 to 0.85 (Byerlee 1978).
                           .range = {0.2, 1.2, 0.5, nullptr, 0.4},
                           .set = [](Recipe& r, double v) { r.matrix.mu = v; },
                           .strength = StrengthRole{friction_rule}};
@@ -285,6 +308,8 @@ const Parameter matrix_phi{.key = "matrix.phi",
                            .range = {4.0, 45.0, 15.0, nullptr, 0.7},
                            .set =
                                [](Recipe& r, double v) {
+                                 // With the paper's constant strength an angle of friction would be without
+                                 // effect.
                                  r.matrix.shear_strength = ShearStrength::cohesion_friction;
                                  r.matrix.phi = v;
                                },
@@ -322,6 +347,7 @@ const Parameter cohesion_ratio =
     with(of_matrix<&MatrixRecipe::cohesion_ratio>("matrix.cohesion_ratio", "r_c", {1.0 / 8.0, 8.0, 1.2},
                                                   has_directions),
          StrengthRole{[](const Evidence& e) -> Rule {
+           // The ratio is of two directions, and takes a strength of each.
            return {e.compressed(0.0, near_0) && e.compressed(75.0, 90.0),
                    {compression(e, 0.0, near_0), compression(e, 75.0, 90.0)},
                    {at_both_ends(Property::ucs)}};
@@ -349,6 +375,7 @@ const Parameter joint_cohesion{
           for (BeddingRecipe& b : r.bedding) {
             const double before = b.cohesion;
             b.cohesion = v * r.matrix.tau_c;
+            // sigma_n is sought over the cohesion, so that it goes along.
             b.sigma_n *= b.cohesion / before;
           }
         },
@@ -374,6 +401,7 @@ const Parameter joint_sigma_n{
         },
     .belongs = has_joints,
     .strength = StrengthRole{[](const Evidence& e) -> Rule {
+      // Compression closes joints across its load: only tension opens them.
       return {holds(e, tension_across),
               {tension_across},
               {LabTests({at_angle(Property::direct_tension, 0.0), at_angle(Property::brazilian, 90.0)})}};
@@ -384,10 +412,13 @@ const Parameter joint_mu{
     .symbol = "mu_sj",
     .unit = "1",
     .number = [](const Recipe& r) -> const double& { return joint(r).mu; },
+    // 0.4 in the paper; joints of schist and slate have 20 to 34 degrees (TRB 1990).
     .range = {0.15, 1.0, 0.45, nullptr, 0.35},
     .set = [](Recipe& r, double v) { r.bedding.front().mu = v; },
     .belongs = has_joints,
     .strength = StrengthRole{joint_friction_rule, false,
+                             // A joint that dilates more than it rubs makes energy. The margin is for the way
+                             // through logarithms and back.
                              [](const Recipe& r) { return tan_degrees(joint(r).psi) * (1.0 + 1e-9); },
                              check_dilation}};
 
@@ -409,6 +440,7 @@ std::vector<const Parameter*> elastic_parameters(const Recipe& model) {
 }
 
 std::vector<const Parameter*> strength_parameters(const Recipe& model) {
+  // In the order in which they are set: a strength takes along all that are sought over it.
   return those_of({&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &matrix_moment, &matrix_phi, &matrix_slits,
                    &joint_cohesion, &joint_sigma_n, &joint_mu, &joint_phi, &tension_ratio, &cohesion_ratio,
                    &cohesion_oblique},
@@ -418,6 +450,7 @@ std::vector<const Parameter*> strength_parameters(const Recipe& model) {
 std::vector<const Parameter*> strength_parameters(const Evidence& evidence) {
   std::vector<const Parameter*> list = strength_parameters(evidence.rock.model);
   std::erase_if(
+      // A ratio that no value tells would keep its prior, and cost six points of the search.
       list, [&](const Parameter* p) { return p->strength->if_held && !p->strength->rule(evidence).held; });
   return list;
 }

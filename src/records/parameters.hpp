@@ -63,6 +63,7 @@ struct ModulusRole {
   /// It acts by its logarithm on that of the number; or, where this is not 0, on the number as it is, which
   /// falls by `per_log` per logarithm of the parameter and is known to `prior_sd` without any data.
   double per_log = 0.0, prior_sd = 0.0;
+  double E_per_log = 0.0;  ///< beside that, log E grows by so much
 };
 
 /// What a table says about a strength, by the kind and angle of its tests alone.

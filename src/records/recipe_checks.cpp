@@ -39,6 +39,7 @@ class CrossChecks {
       : r_(recipe), where_(where), is_known_(is_known) {}
 
   std::vector<Problem> run() {
+    // An imported packing has its own grains: what the recipe says of them is not used.
     if (r_.packing.file.empty()) packing();
     matrix();
     for (set_ = 0; set_ < r_.bedding.size(); ++set_) bedding(r_.bedding[set_]);
@@ -76,6 +77,7 @@ class CrossChecks {
   void packing() {
     const PackingRecipe& p = r_.packing;
     const bool isotropic = p.initial_stress == InitialStress::isotropic;
+    // Either key alone would be passed over in silence: a stress that is not locked in, or none that is.
     const Paths stress = {"packing.isotropic_stress", "packing.initial_stress", "packing.file"};
     if (isotropic && !(p.isotropic_stress > 0.0))
       report_problem(stress, "above 0 with isotropic", "give the stress, for example \"0.5 MPa\"");
@@ -89,6 +91,7 @@ class CrossChecks {
       report_problem(
           with({size.width < size.height ? "specimen.width" : "specimen.height"}, with(box, radii)),
           "at least ten mean grain diameters, " + length(least), "use smaller grains or a larger specimen");
+    // In a box of given size with given radii each follows from the other.
     if ((p.n_grains > 0) == (p.porosity > 0.0))
       return report_problem({"packing.n_grains", "packing.porosity", "packing.file"},
                             "exactly one of n_grains and porosity",
@@ -104,6 +107,8 @@ class CrossChecks {
       report_problem({"packing.n_grains", "packing.file"}, "0, or at least " + std::to_string(min_grains),
                      "");
     // By discs that are all the smallest, or all the largest: only what cannot fill the box is refused.
+    // The paper's discs fill 0.92 of their box, overlaps counted twice: a mixture of radii between these
+    // bounds may come to that.
     else if (smallest > 1.05 * area || largest < 0.7 * area)
       report_problem(with({"packing.n_grains"}, with(box, radii)), "", how_to_fill());
   }
@@ -115,6 +120,7 @@ class CrossChecks {
       return static_cast<double>(r.packing.n_grains) * pi * r.packing.mean_square_radius() /
              (r.specimen.width * r.specimen.height);
     };
+    // Two digits of a number and three of a radius are enough: how full packings are varies by more.
     const double scale = std::sqrt(share(usual) / share(r_)),
                  n = rounded(static_cast<double>(p.n_grains) * scale * scale, 2);
     const auto grown = [&](double radius) { return "\"" + length(rounded(scale * radius, 3)) + "\""; };
@@ -137,6 +143,7 @@ class CrossChecks {
     if (n > static_cast<double>(max_recipe_grains))
       report_problem(with({"packing.porosity", "packing.distribution"}, with(box, radii)),
                      fmt::format("at most {} grains; this gives some {:.0f}", max_recipe_grains,
+                                 // Beyond that the number would fill lines.
                                  std::floor(std::min(n, 1e15))),
                      "use larger grains or a smaller specimen");
   }
@@ -146,6 +153,7 @@ class CrossChecks {
     const std::string model = print_field(*find_field(recipe_fields(), "matrix.model"), r_, 0);
     for (const char* key : keys) {
       const Field& f = *find_field(recipe_fields(), key);
+      // Written at its default a key does no harm; elsewhere the user expects an effect that it has not.
       if (print_field(f, r_, 0) != f.default_text)
         report_value({key, "matrix.model"}, print_field(f, r_, 0), "nothing where model = " + model,
                      "leave it out, or at its default of " + f.default_text);
@@ -158,6 +166,7 @@ class CrossChecks {
       return unused({"matrix.elements", "matrix.break_at", "matrix.gapped_fraction", "matrix.initial_gap"});
     unused({"matrix.stiffness_convention", "matrix.E_b", "matrix.bond_ks_over_kn",
             "matrix.moment_contribution", "matrix.stiffness_ratio"});
+    // A share without a gap touches all the same, and a gap of no share is nowhere.
     if ((m.gapped_fraction > 0.0) != (m.initial_gap > 0.0))
       report_problem({"matrix.gapped_fraction", "matrix.initial_gap"},
                      "above 0 together with initial_gap, or both 0", "give both or none");
@@ -169,6 +178,7 @@ class CrossChecks {
   void matrix() {
     const MatrixRecipe& m = r_.matrix;
     flat_joint();
+    // The key would be passed over: with constant strength no pressure counts.
     if (m.phi > 0.0 && m.shear_strength == ShearStrength::constant)
       report_problem({"matrix.phi", "matrix.shear_strength"}, "0 deg with shear_strength = \"constant\"",
                      "leave it out, or set shear_strength = \"cohesion_friction\"");
@@ -197,6 +207,7 @@ class CrossChecks {
     const std::string also = ", three standard deviations below the mean spacing, too";
     const double diameter = 2.0 * r_.packing.radius_max;
     const bool zone = b.rule == BeddingRule::zone;
+    // The mean spacing before its scatter: a scatter is not to blame for planes that are too close anyway.
     if (zone && b.zone_thickness >= b.spacing)
       report_problem({"bedding.zone_thickness", "bedding.spacing", "bedding.rule"},
                      "below the spacing of " + length(b.spacing), "use a thinner zone or a wider spacing");
@@ -204,6 +215,7 @@ class CrossChecks {
       report_problem({"bedding.spacing_sd", "bedding.zone_thickness", "bedding.spacing", "bedding.rule"},
                      "planes more than zone_thickness = " + length(b.zone_thickness) + " apart" + also,
                      "lower spacing_sd, use a thinner zone or a wider spacing");
+    // Closer than a grain two planes may cross one contact, which can be a joint of one only.
     if (!b.has_planes() || !has_own_grains() || b.narrowest() >= diameter) return;
     if (b.spacing < diameter)
       report_problem({"bedding.spacing", "packing.radius_max", "packing.file"},
@@ -235,6 +247,7 @@ class CrossChecks {
                                       std::pair{"bedding.layer_strength", b.layer_strength}})
       if (value != 1.0 && b.layer_thickness == 0.0)
         report_problem({path, "bedding.layer_thickness"}, "1 without layers", "give layer_thickness");
+    // An interface of flat joints has one modulus all over the specimen.
     if (b.layer_stiffness != 1.0 && r_.matrix.model == MatrixModel::flat_joint)
       report_problem({"bedding.layer_stiffness", "matrix.model"}, "1 with model = \"flat_joint\"",
                      "layers of flat joints differ by layer_strength only");
@@ -250,6 +263,8 @@ class CrossChecks {
     Paths paths = box;
     for (std::size_t i = 0; i < r_.bedding.size(); ++i) {
       const BeddingRecipe& b = r_.bedding[i];
+      // Planes across the diagonal, three more at the ends, and those that turn in from outside by three
+      // standard deviations.
       n += b.scatters() ? (diagonal / b.spacing + 3.0) / sin_cos_degrees(3.0 * b.theta_sd).cos : 1.0;
       if (!b.scatters()) continue;
       const std::string set = "bedding[" + std::to_string(i) + "].";
@@ -268,6 +283,7 @@ class CrossChecks {
     if (!t.angles.empty() && !layered(r_))
       report_value({"test.angles", "bedding"}, "given", "layers to turn",
                    "add [[bedding]] or directions of the matrix, or remove test.angles");
+    // Directions are the matrix's own: taking the planes away leaves them.
     if (t.intact && r_.matrix.directional())
       report_problem(with({"test.intact"}, ratios), "false with a matrix that has directions",
                      "no specimen of it is intact: leave the key out, or set the ratios to 1");
@@ -301,6 +317,7 @@ class CrossChecks {
       report_problem({"test.approach_speed", "test.platen_speed"},
                      "at least platen_speed = " + print_quantity(t.platen_speed, Dimension::speed),
                      "the approach is what may be fast: raise it, or set approach_strain to 0");
+    // An approach that ends before the platens have their speed would slow them down while they speed up.
     if (t.approach_strain <= start)
       report_problem({"test.approach_strain", "test.pre_strain", "test.ramp_strain"},
                      "above pre_strain + ramp_strain = " + print_number(start),
@@ -312,6 +329,7 @@ class CrossChecks {
 
   void test_of_kind() {
     const TestRecipe& t = r_.test;
+    // Two grips of a fifth leave the gauge free.
     if (5.0 * t.grip_thickness > r_.specimen.height)
       report_problem({"test.grip_thickness", "specimen.height"}, "at most a fifth of the height",
                      "strain is read over the middle 60 %, which the grips must not hold");
@@ -321,6 +339,7 @@ class CrossChecks {
     if (t.shear_gap > 0.5 * r_.specimen.height)
       report_problem({"test.shear_gap", "specimen.height"}, "at most half the height",
                      "the boxes have to hold something");
+    // The stress grows with the dilation from a start; from none the box would lift first.
     if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
       report_problem({"test.normal_stiffness", "test.normal_stress"}, "0 without normal_stress",
                      "give test.normal_stress, from which it grows");
@@ -332,6 +351,7 @@ class CrossChecks {
   /// Discs and half discs, whose notch is sawn.
   void cut_specimen(const SpecimenCut& cut) {
     const TestRecipe& t = r_.test;
+    // Half a disc needs its diameter across, and only its radius in height.
     const double side = std::min(r_.specimen.width, (cut.half ? 2.0 : 1.0) * r_.specimen.height);
     const double least = min_grains_across * (r_.packing.radius_min + r_.packing.radius_max);
     if (t.disc_diameter > side)
@@ -340,10 +360,12 @@ class CrossChecks {
                          length(side),
                      cut.half ? "half a disc is cut from the packing; use a larger specimen"
                               : "a disc is cut from the packing; use a larger specimen");
+    // What holds for the sides of a specimen holds for the disc that is pressed.
     else if (t.disc_diameter > 0.0 && t.disc_diameter < least && has_own_grains())
       report_problem(with({"test.disc_diameter"}, radii),
                      "at least ten mean grain diameters, " + length(least),
                      "use a larger disc or smaller grains");
+    // The notch is sawn out of grains: thinner than one it would take none out and be no notch.
     const double grain = 2.0 * r_.packing.radius_max, widest = widest_notch * cut.diameter;
     if (cut.notch_width > 0.0 && cut.notch_width < grain && has_own_grains())
       report_value({"test.notch_width", "packing.radius_max", "packing.file"}, length(cut.notch_width),

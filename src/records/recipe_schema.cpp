@@ -27,6 +27,7 @@ double as_number(const T& value) {
 }
 /// The laboratory test, as its place in the list.
 double as_number(const TestKind& kind) {
+  // All numbers of a field travel as double, so a kind of test is its place in the list.
   const auto tests = laboratory_tests();
   return static_cast<double>(std::find(tests.begin(), tests.end(), &*kind) - tests.begin());
 }
@@ -83,6 +84,8 @@ class Table {
   Field& add(FieldKind kind, const char* key, Range range, const char* meaning, Member member) {
     Field f = make_field(kind, name_, key, meaning);
     f.dimension = range.dimension, f.min = range.min, f.max = range.max;
+    // One pair of functions from one pointer to member: a key cannot be read from one number and written to
+    // another.
     f.get = [part = part_, member](const Recipe& r, std::size_t i) { return as_number(part(r, i).*member); };
     f.set = [part = part_, member](Recipe& r, std::size_t i, double v) { assign(part(r, i).*member, v); };
     fields_.push_back(std::move(f));
@@ -301,12 +304,15 @@ void add_bend(Fields& fields) {
   const char* const bend = "semi_circular_bend";
   t.number("notch_ratio", {0.4, 0.6}, "", "semi_circular_bend: length of the notch over the radius",
            &T::notch_ratio)
+      .of_tests({bend})
       .test = bend;
   t.quantity("notch_width", {0, largest_grain, Dimension::length}, "",
              "semi_circular_bend: width of the notch; 0: the largest grain diameter", &T::notch_width)
+      .of_tests({bend})
       .test = bend;
   t.number("span_ratio", {0.5, 0.8}, "",
            "semi_circular_bend: distance of the support rollers over the diameter", &T::span_ratio)
+      .of_tests({bend})
       .test = bend;
 }
 
@@ -322,6 +328,7 @@ void add_test(Fields& fields) {
   t.choice("kind", names_of_tests(), "laboratory test", &T::kind);
   Field f;
   f.kind = FieldKind::quantities, f.table = "test", f.key = "angles", f.dimension = Dimension::angle;
+  // A plane is the same after half a turn: 180 would be 0 a second time.
   f.min = 0, f.max = 180, f.below_max = true;
   f.meaning = "one specimen per angle, turning the bedding so that the first set has it; empty: as it stands";
   f.list = [](Recipe& r) -> std::vector<double>& { return r.test.angles; };
@@ -340,6 +347,7 @@ void add_test(Fields& fields) {
            &T::ramp_strain);
   t.number("platen_friction", {0, 10}, "wall fric", "friction coefficient of the platens; not of brazilian",
            &T::platen_friction);
+  // Not 1: a test that ends at its peak never shows that it was one.
   t.number("stop_at", {0, 0.99}, "", "the test ends when the stress falls to this fraction of the peak",
            &T::stop_at);
   t.number("post_peak", {0, 10}, "",
@@ -357,30 +365,39 @@ void add_test(Fields& fields) {
             &T::n_frames);
   t.number("pre_strain", {0, 0.05}, "", "axial strain of the affine pre-strain; 0: none", &T::pre_strain);
   t.quantity("grip_thickness", {0, longest, Dimension::length}, "",
-             "direct_tension: rock held at each end; 0: four times the largest radius", &T::grip_thickness);
+             "direct_tension: rock held at each end; 0: four times the largest radius", &T::grip_thickness)
+      .of_tests({"direct_tension"});
   t.quantity("disc_diameter", {0, longest, Dimension::length}, "",
              "brazilian: disc cut from the specimen; semi_circular_bend: half disc; 0: the largest it holds",
-             &T::disc_diameter);
+             &T::disc_diameter)
+      .of_tests({"brazilian", "semi_circular_bend"});
   t.quantity("loading_angle", {0, 30, Dimension::angle}, "",
-             "brazilian: arc of the rim that each jaw holds; 0: flat platens", &T::loading_angle);
+             "brazilian: arc of the rim that each jaw holds; 0: flat platens", &T::loading_angle)
+      .of_tests({"brazilian"});
   t.number(
        "jaw_friction", {0, 10}, "wall fric",
        "brazilian: friction coefficient between disc and jaws; without it a coarse disc may roll out of them",
        &T::jaw_friction)
+      .of_tests({"brazilian"})
       .test = "brazilian";
   t.quantity("confining_stress", {0, 1e10, Dimension::pressure}, "", "biaxial: lateral stress",
-             &T::confining_stress);
-  t.choice(
-      "confinement", {"walls", "jacket"},
-      "biaxial: sides are rigid walls that press with the confining stress, or a pressure on the side grains",
-      &T::confinement);
+             &T::confining_stress)
+      .of_tests({"biaxial"});
+  t.choice("confinement", {"walls", "jacket"},
+           "biaxial: sides are rigid walls that press with the confining stress, or a pressure on the side "
+           "grains",
+           &T::confinement)
+      .of_tests({"biaxial"});
   t.quantity("normal_stress", {0, 1e10, Dimension::pressure}, "", "direct_shear: stress on the plane",
-             &T::normal_stress);
+             &T::normal_stress)
+      .of_tests({"direct_shear"});
   t.quantity("normal_stiffness", {0, 1e15, Dimension::stiffness}, "",
              "direct_shear: growth of the normal stress with dilation; 0: constant normal load",
-             &T::normal_stiffness);
+             &T::normal_stiffness)
+      .of_tests({"direct_shear"});
   t.quantity("shear_gap", {0, longest, Dimension::length}, "",
-             "direct_shear: free rock between the two boxes; 0: rigid halves", &T::shear_gap);
+             "direct_shear: free rock between the two boxes; 0: rigid halves", &T::shear_gap)
+      .of_tests({"direct_shear"});
   add_bend(fields);
 }
 
@@ -397,7 +414,9 @@ void add_engine(Fields& fields) {
 
 /// With the default of every key, as in a file.
 Fields with_defaults(Fields fields) {
+  // Defaults are those of the structures themselves, and are written nowhere a second time.
   Recipe usual;
+  // A recipe without bedding has no defaults of bedding to read.
   usual.bedding.resize(1);
   for (Field& f : fields) f.default_text = print_field(f, usual, 0);
   return fields;
@@ -423,6 +442,7 @@ const Fields& recipe_fields() {
 }
 
 bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
+  // A key of another test has no effect: recipes that differ in it alone are one test, with one fingerprint.
   if (!f.test.empty() && f.test != recipe.test.kind->name) return false;
   const bool dispersed = f.table == "bedding" && !recipe.bedding[index].has_planes();
   if (dispersed && (f.key == "spacing" || f.key == "offset")) return false;
@@ -430,6 +450,7 @@ bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
   const bool of_parallel_bonds =
       f.table == "matrix" && (f.key == "stiffness_convention" || f.key == "E_b" ||
                               f.key == "bond_ks_over_kn" || f.key == "moment_contribution");
+  // Flat joints have no such numbers: written, they would look as if they had an effect.
   if (of_parallel_bonds && recipe.matrix.model != MatrixModel::parallel_bond) return false;
   return !f.omit_default || print_field(f, recipe, index) != f.default_text;
 }
@@ -443,6 +464,7 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
     case FieldKind::number: return print_number(f.get(recipe, index));
     case FieldKind::quantity: return toml_string(print_quantity(f.get(recipe, index), f.dimension));
     default: {
+      // The list is handed out to be changed, and the recipe is not to be.
       Recipe copy = recipe;
       std::vector<std::string> values;
       for (const double v : f.list(copy))
@@ -459,6 +481,8 @@ std::string keys_not_by_default(const Recipe& r) {
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
       const std::string value = print_field(f, r, i);
+      // A key that comes later stands at its default in all older recipes, and leaves their fingerprints
+      // alone.
       if (value == f.default_text || !is_written(f, r, i)) continue;
       text += of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path();
       text += " = " + value + "\n";

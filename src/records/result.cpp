@@ -12,6 +12,7 @@ const HistoryColumns& clock_columns() {
 
 const HistoryColumns& gauge_columns() {
   static const HistoryColumns columns = {
+      // The middle 60 %: platens hold the ends, and their contacts add a compliance that is none of the rock.
       {"axial_strain_gauge", "1", "least-squares strain of the middle 60 % along the load",
        &Row::axial_strain_gauge},
       {"lateral_strain_gauge", "1",
@@ -69,6 +70,7 @@ std::optional<Status> status_of(std::string_view name) {
 }
 
 std::vector<std::string> hashed_fields(std::initializer_list<const char*> of_the_test) {
+  // A list of its own: a column that a table gets later must not change the hashes of all earlier results.
   std::vector<std::string> names = {"step", "time"};
   names.insert(names.end(), of_the_test.begin(), of_the_test.end());
   for (const char* balance :

@@ -12,9 +12,10 @@
 namespace phy {
 namespace {
 
-constexpr int prior_degrees = 4;     // degrees of freedom that the prior scatter is worth
-constexpr int many_degrees = 10;     // with which a table needs no prior to know its scatter
-constexpr int most_lent = 10;        // that the prior and the other cells lend to one
+constexpr int prior_degrees = 4;  // degrees of freedom that the prior scatter is worth
+constexpr int many_degrees = 10;  // with which a table needs no prior to know its scatter
+constexpr int most_lent = 10;     // that the prior and the other cells lend to one
+// Of angles such as 90 - beta, whose last digits differ by how they came about.
 constexpr double same_angle = 1e-6;  // [deg]
 
 /// Sum of squared deviations from means, and the degrees of freedom behind it.
@@ -28,6 +29,7 @@ struct Pool {
 Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
   Pool pool;
   for (const RockReading* r : rows) {
+    // A mean of three with its SD has to count exactly as its three values would.
     if (std::isfinite(r->sd)) pool.squares += (r->n - 1) * r->sd * r->sd, pool.degrees += r->n - 1;
     pool.squares += r->n * (r->value - mean) * (r->value - mean);
   }
@@ -39,6 +41,7 @@ Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
 /// chi-square that begins with the prior (its squares are variance times degrees), learns from the other
 /// cells and, as far as these may lend, from the cell's own.
 Pool variance_of(const Pool& own, const Pool& others, const Pool& prior) {
+  // Scatter may depend on the angle: the other cells may help, but not decide.
   const int common_degrees = prior.degrees + others.degrees, lent = std::min(most_lent, common_degrees);
   const double common = common_degrees > 0 ? (prior.squares + others.squares) / common_degrees : 0.0;
   const int degrees = own.degrees + lent;
@@ -51,9 +54,11 @@ void set_scatter(Target& t, const Pool& own, const Pool& all) {
   const MeasuredProperty& p = measured(t.property);
   const Pool others = {all.squares - own.squares, all.degrees - own.degrees},
              usual = {prior_degrees * p.usual_scatter * p.usual_scatter, prior_degrees};
+  // Pooled relative to the mean: cells of 20 and of 200 MPa scatter by like shares, not by like stresses.
   const double unit = p.absolute ? 1.0 : t.mean;
   const auto [variance, degrees] = variance_of(own, others, usual);
   t.sd = std::sqrt(variance) * unit, t.degrees = degrees, t.sd_assumed = all.degrees < prior_degrees;
+  // With fewer the table's own scatter is known no better than what is usual.
   if (all.degrees < many_degrees) return;
   const Pool stated = variance_of(own, others, {});
   t.stated_sd = std::sqrt(stated.squares) * unit, t.stated_degrees = stated.degrees;
@@ -63,8 +68,11 @@ void set_scatter(Target& t, const Pool& own, const Pool& all) {
 AlongBedding along_under(const std::vector<Target>& targets, double confining) {
   AlongBedding along;
   for (const Target& t : targets) {
+    // E and nu of one body: mixed from two stresses they would be of none.
     if (is_strength(t.property) || t.confining != confining) continue;
     const Target*& best = t.property == Property::E ? along.E : along.nu;
+    // Out of the plane there is always rock along the bedding, whatever the angle in it: the steepest cell is
+    // nearest.
     if (best == nullptr || t.theta > best->theta) best = &t;
   }
   return along;
@@ -75,6 +83,7 @@ AlongBedding along_under(const std::vector<Target>& targets, double confining) {
 /// which add nothing there. Scatter: that of E stays the same share; that of nu is carried by the derivative,
 /// in the cell along the bedding with dh/dnu = 2 nu/E.
 void to_plane_stress(std::vector<Target>& targets) {
+  // A copy: h is of the cylinder, and a cell that was converted already would enter it.
   const std::vector<Target> laboratory = targets;
   std::map<std::pair<double, double>, double> E_lab;  // by angle and confining stress
   for (const Target& t : laboratory)
@@ -87,6 +96,7 @@ void to_plane_stress(std::vector<Target>& targets) {
     const double held = nu.mean * nu.mean / E.mean;
     const double E_2D = 1.0 / (1.0 / at->second - held);
     if (t.property == Property::E)
+      // Specimens go along, so that outliers are looked for in the numbers that are fitted.
       for (double& E_one : t.specimens) E_one = 1.0 / (1.0 / E_one - held);
     if (t.property == Property::nu)
       for (double& nu_one : t.specimens) nu_one = E_2D * (nu_one / at->second + held);
@@ -138,6 +148,7 @@ class ConfiningStresses {
 void remove_layers(Recipe& model) {
   const MatrixRecipe alike;
   MatrixRecipe& m = model.matrix;
+  // Directions are layers too: left in, they would make an isotropic rock anisotropic.
   model.bedding.clear();
   m.stiffness_ratio = alike.stiffness_ratio, m.tension_ratio = alike.tension_ratio;
   m.cohesion_ratio = alike.cohesion_ratio, m.cohesion_oblique = alike.cohesion_oblique;
@@ -174,6 +185,7 @@ AlongBedding along_bedding(const std::vector<Target>& targets, double confining)
   AlongBedding along = along_under(targets, confining);
   std::set<double> stresses;
   for (const Target& t : targets) stresses.insert(t.confining);
+  // By growing stress: the least confined body is the nearest to one without.
   for (const double other : stresses)
     if (!along.complete()) along = along_under(targets, other);
   return along;
@@ -183,6 +195,7 @@ std::vector<Target> targets_of(const Rock& rock) {
   std::map<std::tuple<Property, long, double, double>, std::vector<const RockReading*>> cells;
   const ConfiningStresses stresses(rock.readings);
   for (const RockReading& r : rock.readings)
+    // Values under a stress that no test of theirs knows are kept in the table, and fitted by nothing.
     if (r.confining == 0.0 || measured(r.property).under_stress)
       cells[{r.property, std::lround(r.theta / same_angle), measured(r.property).of_discs ? r.diameter : 0.0,
              stresses.of(r)}]
@@ -196,6 +209,7 @@ std::vector<Target> targets_of(const Rock& rock) {
     t.confining = std::get<3>(key), t.n = 0;
     for (const RockReading* r : rows) {
       t.mean += r->n * r->value, t.n += r->n;
+      // Rows that stand for several, or for a line, are no specimens that could be outliers.
       if (r->n == 1 && !r->derived) t.specimens.push_back(r->value);
     }
     t.mean /= t.n;

@@ -45,7 +45,7 @@ const RockModel models[] = {
      .matrix = parallel,
      .joints = true,
      .bridges = true,
-     .words = "joints on {:g} of the planes",
+     .words = "joints on {} of the planes",
      .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
                  "bridges.",
      .contains = &models[2]},
@@ -53,7 +53,16 @@ const RockModel models[] = {
      .layers = LayerModel::planes,
      .matrix = flat,
      .joints = true,
-     .words = "joints on planes between flat joints"}};
+     .words = "joints on planes between flat joints"},
+    {.layered = true,
+     .layers = LayerModel::planes_with_bridges,
+     .matrix = flat,
+     .joints = true,
+     .bridges = true,
+     .words = "joints on {} of the planes, between flat joints",
+     .sentence = " The layers are represented by smooth joints on a share of their planes, between rock "
+                 "bridges.",
+     .contains = &models[6]}};
 
 }  // namespace
 
@@ -73,8 +82,10 @@ const RockModel* find_model(bool layered, LayerModel layers, MatrixModel matrix)
   return nullptr;
 }
 
-std::string text_of(const RockModel& model, double jointed_share) {
-  return fmt::format(fmt::runtime(model.words), jointed_share);
+std::string text_of(const RockModel& model, std::optional<double> jointed_share) {
+  // The words are in the list; only those of bridges have a place for the share.
+  return fmt::format(fmt::runtime(model.words),
+                     jointed_share ? fmt::format("{:g}", *jointed_share) : "a share");
 }
 
 const char* to_string(LayerModel model) {
@@ -85,6 +96,7 @@ const char* to_string(LayerModel model) {
 
 LayerModel layers_of(const Recipe& recipe) {
   for (const RockModel& m : rock_models())
+    // Whatever holds the grains: a recipe may be of a combination that no calibration knows.
     if (m.layered && has_layers_of(m, recipe)) return m.layers;
   return recipe.bedding.empty() ? LayerModel::directions : LayerModel::planes_and_directions;
 }
@@ -94,10 +106,18 @@ bool is_directed(LayerModel model) {
                              [&](const RockModel& m) { return m.layers == model && m.directions; });
 }
 
+std::vector<const char*> layers_of_matrix(MatrixModel matrix) {
+  std::vector<const char*> words;
+  for (const RockModel& m : rock_models())
+    if (m.layered && m.matrix == matrix) words.push_back(to_string(m.layers));
+  return words;
+}
+
 bool of_parallel_bonds(LayerModel model) {
   return model != LayerModel::choose && find_model(true, model, flat) == nullptr;
 }
 
+// Of the first set: tables know one direction of planes, and rock files refuse recipes with more.
 bool has_bridges(const Recipe& r) { return !r.bedding.empty() && r.bedding.front().persistence < 1.0; }
 
 double jointed_share(const Recipe& r) { return r.bedding.empty() ? 1.0 : r.bedding.front().persistence; }

@@ -2,8 +2,10 @@
 // grains together are told apart by the recipe alone; readers, choices, texts and maps are views of this
 // list.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "records/recipe.hpp"
 
@@ -25,7 +27,7 @@ struct RockModel {
   bool joints = false;        ///< on planes
   bool bridges = false;       ///< of bonds between them: a share of the planes is jointed
   bool directions = false;    ///< of the bonds
-  const char* words;          ///< "joints on {:g} of the planes", the share
+  const char* words;          ///< "joints on {} of the planes", the share
   const char* sentence = "";  ///< for the methods section
   /// What it contains: with more to fit with it is often a little better by chance.
   const RockModel* contains = nullptr;
@@ -41,13 +43,15 @@ std::span<const RockModel> rock_models();
 const RockModel* model_of(const Recipe& recipe);
 /// nullptr: there is no such combination.
 const RockModel* find_model(bool layered, LayerModel layers, MatrixModel matrix);
-/// "joints on 0.6 of the planes".
-std::string text_of(const RockModel& model, double jointed_share);
+/// "joints on 0.6 of the planes"; nullopt: of shares still to be compared, "joints on a share of the planes".
+std::string text_of(const RockModel& model, std::optional<double> jointed_share);
 
 /// What makes the layers of a recipe that has some, whatever holds its grains.
 LayerModel layers_of(const Recipe& recipe);
 /// Do bonds have directions?
 bool is_directed(LayerModel model);
+/// The words of all layers that a matrix has: "planes".
+std::vector<const char*> layers_of_matrix(MatrixModel matrix);
 /// Is there no such model of flat joints?
 bool of_parallel_bonds(LayerModel model);
 

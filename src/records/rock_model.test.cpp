@@ -1,6 +1,7 @@
 // The list of models of rock: what a recipe has says which it is, and what a rock file asks for finds it.
 #include "records/rock_model.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace phy {
@@ -29,14 +30,16 @@ TEST(RockModels, AreToldApartByTheirRecipes) {
   }
 }
 
-TEST(RockModels, OfFlatJointsHaveWholePlanesAlone) {
-  EXPECT_FALSE(of_parallel_bonds(LayerModel::planes) || of_parallel_bonds(LayerModel::choose));
-  for (const LayerModel m :
-       {LayerModel::directions, LayerModel::planes_and_directions, LayerModel::planes_with_bridges})
+TEST(RockModels, OfFlatJointsHavePlanesWithAndWithoutBridges) {
+  for (const LayerModel m : {LayerModel::planes, LayerModel::planes_with_bridges, LayerModel::choose})
+    EXPECT_FALSE(of_parallel_bonds(m)) << to_string(m);
+  for (const LayerModel m : {LayerModel::directions, LayerModel::planes_and_directions})
     EXPECT_TRUE(of_parallel_bonds(m)) << to_string(m);
-  const RockModel* bridged = find_model(true, LayerModel::planes_with_bridges, MatrixModel::parallel_bond);
+  EXPECT_THAT(layers_of_matrix(MatrixModel::flat_joint),
+              testing::ElementsAre(testing::StrEq("planes"), testing::StrEq("planes with bridges")));
+  const RockModel* bridged = find_model(true, LayerModel::planes_with_bridges, MatrixModel::flat_joint);
   ASSERT_NE(bridged, nullptr);
-  EXPECT_EQ(text_of(*bridged, 0.65), "joints on 0.65 of the planes");
+  EXPECT_EQ(text_of(*bridged, 0.65), "joints on 0.65 of the planes, between flat joints");
 }
 
 TEST(RockModels, ARecipeThatNoneIsHasNoModel) {

@@ -17,6 +17,7 @@ SpecimenRecord record_of(const Recipe& recipe, const std::string& version, const
   for (std::size_t i = 0; i < specimen.bedding.size(); ++i)
     record.bedding.push_back({specimen.bedding[i].theta, specimen.bedding_report.at(i)});
   record.result = result;
+  // They are in the scene, in a form that takes a fraction of the room.
   record.result.snapshots.clear();
   record.result.frames.clear();
   record.scene = scene_of(p, result);
@@ -28,6 +29,7 @@ std::string specimen_name(double theta) { return "theta = " + print_number(theta
 std::vector<std::string> specimen_names(const Recipe& recipe) {
   std::vector<std::string> names;
   for (const double theta : recipe.test.angles) names.push_back(specimen_name(theta));
+  // Without a list of angles the layers lie as the recipe has them, and that is one specimen.
   if (names.empty() && layered(recipe)) names.push_back(specimen_name(inclination(recipe)));
   if (recipe.test.intact || !layered(recipe)) names.emplace_back("intact");
   return names;

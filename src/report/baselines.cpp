@@ -40,6 +40,7 @@ double sum_of(Known others, const Target& cell, const Terms& terms) {
     all.row(i) = terms(t.theta).transpose(), values[i] = t.mean;
   }
   const LinearFit fit = linear_least_squares(all, values);
+  // Fewer distinct angles than terms leave the curve open, and any value would be as good.
   return fit.rank == here.size() ? here.dot(fit.x) : nan;
 }
 
@@ -50,6 +51,7 @@ double parabola(Known others, const Target& cell) {
   });
 }
 
+// Even periods alone: rock is the same after half a turn, and mirrored at the layers.
 double cosine(double theta, int times) { return std::cos(times * theta * std::numbers::pi / 180.0); }
 
 double one_cosine(Known others, const Target& cell) {
@@ -62,6 +64,7 @@ double two_cosines(Known others, const Target& cell) {
 }
 
 double jaeger(Known others, const Target& cell) {
+  // Jaeger's plane is a law of strength in compression; E and tension have no such curve.
   if (cell.property != Property::ucs) return nan;
   std::vector<theory::StrengthReading> readings;
   for (const Target* t : others) readings.push_back({t->theta, t->mean});
@@ -75,11 +78,14 @@ double gaussian_process(Known others, const Target& cell) {
   std::vector<AngleCell> cells;
   double mean = 0.0;
   for (const Target* t : others) {
+    // The logarithm of a zero would take the whole curve along.
     if (!(t->mean > 0.0)) return nan;
+    // To first order the error of a logarithm is the relative error.
     const double relative = t->normal_error() / t->mean;
     cells.push_back({{t->theta, 0.0}, std::log(t->mean), relative * relative, 0.0});
     mean += cells.back().value / static_cast<double>(others.size());
   }
+  // The process returns to zero far from its cells: that must be the mean, not a strength of 1 Pa.
   for (AngleCell& c : cells) c.value -= mean;
   return std::exp(mean + AngleProcess(cells, usual_size).at({cell.theta, 0.0}).mean);
 }
@@ -89,6 +95,7 @@ double rms(const std::vector<Comparison>& rows, Property property) {
   int n = 0;
   for (const Comparison& c : rows)
     if (c.target.property == property) {
+      // Relative, or absolute for nu: as the tolerances of the property are.
       const double off = miss(c);
       squares += off * off, ++n;
     }
@@ -106,6 +113,7 @@ ErrorRow row_for(std::string of, const std::vector<Comparison>& rows) {
 std::vector<Comparison> inside(const std::vector<Comparison>& rows, const std::vector<Comparison>& table) {
   std::vector<Comparison> some;
   for (const Comparison& c : rows)
+    // At the ends of a table every curve would extrapolate; the model need not, and would win unfairly.
     if (std::isfinite(interpolated(table, c.target))) some.push_back(c);
   return some;
 }
@@ -140,6 +148,7 @@ const std::vector<Baseline>& baselines() {
 double Baseline::predict(const std::vector<Comparison>& rows, const Target& cell) const {
   std::vector<const Target*> others;
   for (const Comparison& c : rows)
+    // Replicates at the same angle would give the answer away.
     if (same_test(c.target, cell) && c.target.theta != cell.theta) others.push_back(&c.target);
   return others.size() < fewest ? nan : curve(others, cell);
 }
@@ -150,10 +159,12 @@ std::vector<ErrorRow> error_rows(const Calibration& c) {
     rows.push_back(
         row_for(fmt::format("{} unseen packings", c.verification.front().n_packings), c.verification));
   const std::vector<Comparison> table = inside(c.fitted, c.fitted), ours = inside(c.left_out, c.fitted);
+  // Of fewer than three angles none lies between others.
   if (table.empty()) return rows;
   const auto add = [&](const std::string& of, const std::vector<Comparison>& cells, const char* baseline) {
     ErrorRow row = row_for("left out, " + of, cells);
     row.is_left_out = true, row.baseline = baseline;
+    // A curve with too few angles would be a row of dashes.
     if (any_known(row)) rows.push_back(row);
   };
   add("model alone", ours, ""), add("model with discrepancy", with_discrepancies(ours), "");
@@ -173,6 +184,7 @@ std::vector<LeftOutErrors> left_out_errors(const Calibration& c) {
     if (e.cells == 0) continue;
     for (const Baseline& y : baselines())
       if (const double error = rms(by_curve(y, ours, c.fitted), p.property);
+          // The best of all curves after the fact: a harder yardstick than any that one would choose before.
           error < e.curve || (std::isnan(e.curve) && std::isfinite(error)))
         e.best = &y, e.curve = error;
     all.push_back(e);
@@ -181,6 +193,7 @@ std::vector<LeftOutErrors> left_out_errors(const Calibration& c) {
 }
 
 std::string sentence(const LeftOutErrors& e) {
+  // The model with its discrepancy is what is recommended for new angles, so it is what is judged.
   const double ours = std::isfinite(e.with_discrepancy) ? e.with_discrepancy : e.model;
   if (!std::isfinite(ours)) return "";
   std::string text = fmt::format("Left out one at a time, {} of {} {} predicted within {} (rms)",

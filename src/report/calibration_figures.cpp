@@ -13,12 +13,14 @@ namespace {
 /// 95 % interval by the fit, else the standard deviation between packings.
 std::pair<double, double> bounds_of(const Comparison& c) {
   if (std::isfinite(c.low) && std::isfinite(c.high)) return {c.low, c.high};
+  // The sequence of the paper has no posterior; packings are then all that shows a spread.
   return {c.mean - c.sd, c.mean + c.sd};
 }
 
 /// A sixth of the least step between the angles of a table: so wide are boxes on both sides of an angle, and
 /// so far beside it stand single specimens and what was predicted without them. [deg]
 double room_beside(const std::vector<Target>& table) {
+  // Where a table has one angle there is no step; 15 degrees is the usual one.
   double least = 15.0;
   for (const Target& a : table)
     for (const Target& b : table)
@@ -31,6 +33,7 @@ class LaboratoryPanels {
  public:
   explicit LaboratoryPanels(const std::vector<Target>& table)
       : table_(table), curves_(theory_curves(table)), beside_(room_beside(table)) {
+    // One panel per test: UCS under two pressures are two curves, never one.
     for (const Target& t : table)
       if (std::none_of(tests_.begin(), tests_.end(), [&](const Target& k) { return same_panel(k, t); }))
         tests_.push_back(t);
@@ -43,6 +46,7 @@ class LaboratoryPanels {
     double most = 0.0;
     for (const Target& t : table_)
       if (same_panel(t, test)) most = std::max(most, place_in_panel(t));
+    // Stresses have no usual step, so the room is a share of the axis.
     return most / 40.0;
   }
 
@@ -61,10 +65,12 @@ class LaboratoryPanels {
       if (!same_panel(t, test)) continue;
       laboratory.points.push_back(point_of(t, f));
       assumed = assumed || t.sd_assumed;
+      // To the left of the mean, whose interval would hide them.
       for (const double v : t.specimens) single.points.push_back({place_in_panel(t) - beside(test), f * v});
     }
     const AngleCurve curve = curve_of(test);
     if (laboratory.points.size() > 1) panel.caption = curve.note;  // rock without layers has one angle
+    // Else the bar would pass for a measured scatter.
     if (assumed) panel.caption += " Where one specimen was tested its scatter is assumed.";
     panel.series = {theory_series(theory_name(curves_, "laboratory"), curve, f), single, laboratory};
     return panel;
@@ -72,6 +78,7 @@ class LaboratoryPanels {
 
  private:
   AngleCurve curve_of(const Target& test) const {
+    // Goodman and Jaeger were fitted to the least confined values alone.
     if (test.confining != 0.0) return {};
     return test.property == Property::E     ? curves_.E
            : test.property == Property::ucs ? curves_.ucs
@@ -103,10 +110,12 @@ void add_between(const Calibration& c, const Target& test, Panel& panel) {
     const auto above = std::find_if(rows.begin(), rows.end(),
                                     [&](const Comparison& r) { return r.target.theta >= a.theta; });
     if (!same_test(a.test, test) || above == rows.end() || a.theta < rows.front().target.theta) continue;
+    // At the very first angle there is nothing below it; the step is 0 then.
     const Comparison& below = above == rows.begin() ? *above : *(above - 1);
     const double step = above->target.theta - below.target.theta;
     const double model =
         f * std::lerp(below.mean, above->mean, step > 0.0 ? (a.theta - below.target.theta) / step : 0.0);
+    // The discrepancy is a factor on the model, which between angles is taken as straight.
     band.points.push_back({a.theta, model * a.factor, model * a.low, model * a.high});
   }
   if (band.points.empty()) return;  // a modulus
@@ -129,11 +138,14 @@ void add_model(const Calibration& c, const Target& test, double beside, Panel& p
     if (!same_panel(t, test)) continue;
     if (const auto [low, high] = bounds_of(fitted); std::isfinite(low))
       box.points.push_back({place_in_panel(t), nan, f * low, f * high});
+    // Unseen packings where there are some: on those of the fit the model looks better than it is.
     if (const Comparison& row = judged(c, fitted); row.answered())
       model.points.push_back({place_in_panel(t), f * row.mean, nan, nan, error_beside(row.mean, &t)});
     if (const Comparison* row = row_of(c.left_out, t); row != nullptr && row->answered())
+      // To the right: the same angle holds the model that has seen the value.
       left_out.points.push_back({place_in_panel(t) + beside, f * row->predicted()});
   }
+  // Drawers draw in this order: the interval must not cover what stands on it.
   panel.series.insert(panel.series.begin(), box);
   panel.series.push_back(left_out), panel.series.push_back(model);
 }

@@ -29,6 +29,7 @@ Json failure_json(const FailureMode& f) {
           {"n_planes", f.n_planes}};
 }
 
+// SI units without exception: names of keys carry them, so that no reader has to know this program's tables.
 Json rows_json(const std::vector<Comparison>& rows) {
   Json list = Json::array();
   for (const Comparison& c : rows) {
@@ -43,10 +44,12 @@ Json rows_json(const std::vector<Comparison>& rows) {
          {"n_packings", c.n_packings},
          {"low", c.low},
          {"high", c.high}});
+    // Keys without content are left out: files of rocks with few tests stay readable by eye.
     if (std::isfinite(c.with_discrepancy)) list.back()["with_discrepancy"] = c.with_discrepancy;
     if (!t.specimens.empty()) list.back()["laboratory"]["specimens"] = t.specimens;
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
     if (t.confining > 0.0) list.back()["confining [Pa]"] = t.confining;
+    // Only this test can begin to fail beside the centre, where its formula does not hold.
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
     if (!c.missing.empty()) list.back()["missing"] = c.missing;
     if (c.failure.n_tests > 0) list.back()["failure"] = failure_json(c.failure);
@@ -56,11 +59,13 @@ Json rows_json(const std::vector<Comparison>& rows) {
 
 Json verdict_json(const Calibration& c) {
   Json next = finding_json(c.verdict.next);
+  // The texts are for people and may change with a version; programs read kinds and numbers.
   next["text"] = next_words(c);
   const Finding& counts = c.verdict.counts;
   return {{"status", to_string(c.verdict.status)},
           {"sentence", verdict_words(c)},
           {"lines", verdict_lines(c)},
+          // Where nothing was judged, null: zeros would say that all was missed.
           {"counts", counts.has("values") ? finding_json(counts) : Json(nullptr)},
           {"good_for", findings_json(c.verdict.good_for)},
           {"not_good_for", findings_json(c.verdict.not_good_for)},
@@ -79,6 +84,7 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
               {"low", e.low},
               {"high", e.high},
               {"box", {e.box_low, e.box_high}},
+              // null where nobody knows: false would read as "the table does not tell".
               {"determined", e.has_interval() ? Json(e.determined) : Json(nullptr)}};
     if (e.rests_on.basis != Basis::none) j["rests_on"] = support_json(e.rests_on);
     if (e.next.remedy != Remedy::none) j["next"] = next_json(e.next);
@@ -125,6 +131,7 @@ Json yardsticks_json(const Calibration& c) {
                     {"cells", e.cells},
                     {"model", e.model},
                     {"with_discrepancy", e.with_discrepancy},
+                    // The key, as in `left_out`; its name in words stands in `text`.
                     {"best", e.best != nullptr ? Json(e.best->key) : Json(nullptr)},
                     {"best_error", e.curve},
                     {"text", sentence(e)}});
@@ -144,6 +151,7 @@ Json discrepancy_json(const std::vector<AngleFactor>& factors) {
   return list;
 }
 
+// Kept so that an ensemble of another day can be corrected without the tests of the calibration.
 Json residuals_json(const std::vector<StrengthResidual>& residuals) {
   Json list = Json::array();
   for (const StrengthResidual& r : residuals)
@@ -162,6 +170,7 @@ Json residuals_json(const std::vector<StrengthResidual>& residuals) {
 double number_of(const Json& j) { return j.is_number() ? j.get<double>() : nan; }
 
 Property property_of(const std::string& name) {
+  // By name, as numbers of an enumeration change when a property is added.
   for (int i = 0; i < n_properties; ++i)
     if (name == to_string(static_cast<Property>(i))) return static_cast<Property>(i);
   throw std::out_of_range(name + " is no property");
@@ -173,6 +182,7 @@ FailureMode failure_from(const Json& j) {
           io::whole_number<int>(j.at("n_tests")), io::whole_number<int>(j.at("n_planes"))};
 }
 
+// Only what pictures and predictions need is read back; verdicts and texts stay as they were written.
 std::vector<Comparison> rows_of(const Json& list) {
   std::vector<Comparison> rows;
   for (const Json& j : list) {
@@ -180,7 +190,9 @@ std::vector<Comparison> rows_of(const Json& list) {
     const Json& laboratory = j.at("laboratory");
     c.target.property = property_of(j.at("property")), c.target.theta = j.at("theta [deg]");
     c.target.mean = laboratory.at("mean"), c.target.sd = laboratory.at("sd");
+    // JSON numbers may be 3.5 or 1e300, which a plain conversion would take without a word.
     c.target.n = io::whole_number<int>(laboratory.at("n"));
+    // Keys that are left out when empty have their default here.
     c.target.specimens = laboratory.value("specimens", std::vector<double>());
     c.target.diameter = j.value("diameter [m]", 0.0), c.target.confining = j.value("confining [Pa]", 0.0);
     c.mean = number_of(j.at("model")), c.sd = number_of(j.at("sd_of_packings"));
@@ -211,6 +223,7 @@ std::vector<StrengthResidual> residuals_of(const Json& list) {
     StrengthResidual r;
     r.target.property = property_of(j.at("property")), r.target.theta = j.at("theta [deg]");
     r.target.confining = j.at("confining [Pa]"), r.target.mean = j.at("laboratory");
+    // Without a default: a residual that lacks a number would make a wrong band in silence.
     r.value = j.at("value"), r.noise = j.at("noise"), r.unknown = j.at("unknown");
     r.of_draws = j.at("draws").get<std::vector<double>>();
     all.push_back(std::move(r));
@@ -235,7 +248,9 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["program"] = {{"name", "phyllite"}, {"version", version}};
   j["rock"] = c.rock;
   for (const SetOption& o : c.asked)
+    // With its type: a program should not have to parse "true".
     std::visit([&](const auto& value) { j["asked"][o.key] = value; }, o.value);
+  // Absent for the usual method: readers take it for the posterior.
   if (c.method == CalibrationMethod::sequence) j["method"] = "sequence";
   if (!c.effort.empty()) j["effort"] = c.effort;
   j["verdict"] = verdict_json(c);
@@ -245,6 +260,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["verification"] = rows_json(c.verification);
   j["left_out"] = rows_json(c.left_out);
   if (!c.compared.empty()) j["compared"] = rows_json(c.compared);
+  // Added to the rows written above, beside the model's own prediction of each value.
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
     for (const Baseline& y : baselines())
       j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);
@@ -258,49 +274,16 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   if (!c.eq2.empty()) j["eq2"] = eq2_json(c.eq2);
   if (!c.reach.empty()) j["reach"] = findings_json(c.reach);
   j["notes"] = findings_json(c.notes);
+  // Written at the time, so that the text names the version that calibrated and not one that reads.
   j["methods"] = methods_text(c, version);
+  // For a reader who knows chains: whether the intervals rest on enough independent draws.
   j["mixing"] = {{"effective_sample_size", c.mixing.effective}, {"r_hat", c.mixing.r_hat}};
   j["runs"] = {{"strength_tests", c.counts.tests},
                {"of_these_coarse", c.counts.coarse},
                {"of_these_in_tension", c.counts.tension},
                {"elastic_solutions", c.counts.solutions}};
+  // Names of rocks come from files of any encoding; a wrong byte must not cost the whole result.
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-const std::vector<FileKey>& calibration_keys() {
-  static const std::vector<FileKey> keys = {
-      {"format", "version of this file"},
-      {"program", "`name` and `version`"},
-      {"rock", "name of the rock"},
-      {"asked", "every option that changes the result, by key"},
-      {"method", "`sequence`, or absent"},
-      {"effort", "of the search"},
-      {"verdict",
-       "`status`, `sentence`, `lines`, `counts`, `good_for`, `not_good_for`, `findings`, `causes`, `next`"},
-      {"tables", "parameters as printed: `title`, `head`, `rows`"},
-      {"parameters",
-       "`key`, `symbol`, `unit`, `value`, `low`, `high`, `box`, `determined`, `rests_on`, `next`"},
-      {"fitted", "cells that were fitted"},
-      {"verification", "cells on unseen packings"},
-      {"left_out", "cells predicted without themselves, and by each curve"},
-      {"compared", "K_Ic on unseen packings, where nobody states the grain size"},
-      {"discrepancy", "rock over model at every fifth degree: `factor`, `low`, `high`"},
-      {"residuals", "what it is learnt from, per strength: `value`, of the `draws`, `noise`, `unknown`"},
-      {"errors", "root mean squares per property: fitted, unseen, left out, curves"},
-      {"yardsticks",
-       "per property left out: `cells`, `model`, `with_discrepancy`, `best`, `best_error`, `text`"},
-      {"E_is", "which slope the table's E is"},
-      {"layers", "model of the layers"},
-      {"matrix", "`parallel_bond` or `flat_joint`"},
-      {"tangent_from_test", "E and nu at 40 to 60 % of UCS, where `E_is` is small strain"},
-      {"eq2", "`planes`, `K_n`, `K_s`, each with `ratio`, `slope`, `intercept`, `R2`"},
-      {"notes", "findings about the course"},
-      {"methods", "paragraphs for a paper"},
-      {"mixing", "`effective_sample_size` and `r_hat` of the draws behind the strengths"},
-      {"reach",
-       "findings of the maps: forecast with its ranges, expectation of each value, UCS over tension"},
-      {"runs", "numbers of tests and solutions"}};
-  return keys;
 }
 
 Calibration comparisons_of(const std::string& json, const std::string& file) {
@@ -308,6 +291,7 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
   // Missing keys and wrong types come as exceptions of the JSON library.
   try {
     const Json j = io::parse_json<Json>(json);
+    // An older format may use a key in another sense, which no missing key would reveal.
     if (j.at("format") != calibration_format) throw std::out_of_range("another version of the format");
     c.rock = j.at("rock");
     if (j.value("method", "") == "sequence") c.method = CalibrationMethod::sequence;
@@ -323,10 +307,12 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
 }
 
 std::string recipe_comments(const Calibration& c) {
+  // The verdict goes with the file: a recipe is passed on without its folder.
   std::string text = comment_text(c.rock + ": " + verdict_words(c)) + "\n", open;
   std::vector<std::string> known;
   for (const std::string& line : verdict_lines(c)) text += comment_text(line) + "\n";
   for (const ParameterEstimate& e : c.parameters)
+    // Open parameters keep a value in the recipe, which looks as certain as the others.
     if (e.open())
       open += fmt::format("  {} = {}, 95 % interval {} to {}\n", comment_text(e.key),
                           parameter_text(e.value, e.unit), parameter_text(e.low, e.unit),
@@ -353,6 +339,7 @@ std::string draw_comments(const Calibration& c, std::size_t number) {
 std::string yade_script(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
   const bool jointed = !r.bedding.empty(), flat = m.model == MatrixModel::flat_joint;
+  // A script has one set of planes; without bedding its numbers stand there unused.
   const BeddingRecipe b = jointed ? r.bedding.front() : BeddingRecipe{};
   return fmt::format(
              "# -*- coding: utf-8 -*-\n"
@@ -382,6 +369,7 @@ std::string yade_script(const Recipe& r) {
                        "{:g} of it.\n",
                        b.persistence)
                  : "",
+             // Per bond area a contact has the stiffness young/(pi r) in JCFpm and E/(2 r) here: hence pi/2.
              m.density, 0.5 * pi * m.modulus(), m.ks_over_kn, m.mu, m.sigma_c, m.tau_c) +
          fmt::format(
              "                  jointNormalStiffness={:.8g}, jointShearStiffness={:.8g}, "
@@ -398,6 +386,7 @@ std::string yade_script(const Recipe& r) {
              "        h = normal.dot(body.state.pos - centre)\n"
              "        if abs(h - spacing*round(h/spacing)) <= 0.5*zone + body.shape.radius:\n"
              "            body.state.onJoint, body.state.joint, body.state.jointNormal1 = True, 1, normal\n",
+             // In radians by Python itself: a person who edits the script thinks in degrees.
              b.k_n, b.k_s, b.sigma_n, b.cohesion, b.mu, b.psi, b.theta, b.spacing, b.zone_thickness,
              jointed ? "True" : "False");
 }

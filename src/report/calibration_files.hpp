@@ -14,8 +14,8 @@ constexpr int calibration_format = 2;
 
 /// Everything but the times: the same calibration gives the same text.
 std::string calibration_json(const Calibration& calibration, const std::string& version);
-/// Its keys, in their order.
-const std::vector<FileKey>& calibration_keys();
+/// Its keys, of every kind of object in it (calibration_keys.cpp).
+const std::vector<FileObject>& calibration_keys();
 
 /// What pictures are drawn from, read back from that text: rock, method, `fitted`, `verification`,
 /// `left_out`, `discrepancy`, and `residuals`, for predictions. Throws InputError that names `file` where it

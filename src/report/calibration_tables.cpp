@@ -26,6 +26,7 @@ double shown(Property p) { return shown_unit(p).factor; }
 /// fit it.
 std::string cell(const Calibration& c, const double& number, double unit, const char* otherwise = "given") {
   for (const ParameterEstimate& e : c.parameters)
+    // By address: the estimate names its place in the recipe, so no second list of names can disagree.
     if (e.number != nullptr && &e.number(c.recipe) == &number)
       return !e.has_interval() ? fmt::format("{:.4g}", number / unit)
                                : fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", number / unit, e.low / unit,
@@ -39,6 +40,7 @@ const char* unit_head(Property p) { return shown_unit(p).name; }
 /// Laboratory, model, error.
 std::vector<std::string> cells_of(const Comparison& row) {
   const Property p = row.target.property;
+  // nu by difference, as it is judged: 20 % of 0.2 sounds worse than it is.
   return {number_text(row.target.mean * shown(p)), number_text(row.mean * shown(p)),
           !row.answered()     ? "-"
           : p == Property::nu ? fmt::format("{:+.2f}", miss(row))
@@ -57,6 +59,7 @@ bool is_bedded(const Calibration& c) {
 struct Line {
   double theta = 0.0, confining = 0.0;
   int more = 0;
+  // The order of the members is that of the rows: by angle, then by stress.
   auto operator<=>(const Line&) const = default;
   std::string name(bool bedded) const {
     const std::string stress = confining > 0.0 ? fmt::format("{:.3g} MPa", confining * 1e-6) : "";
@@ -79,10 +82,12 @@ std::string error_cell(const Comparison* r) {
 
 std::string target_table(const std::vector<Target>& targets, bool bedded, int terminal_width) {
   std::map<Line, std::map<Property, const Target*>> lines;
+  // A set, so that columns come in the order of the properties whatever the order of the table.
   std::set<Property> properties;
   bool assumed = false, sizes = false;  // discs of sizes of their own
   for (const Target& t : targets) {
     Line line{t.theta, t.confining, 0};
+    // Two discs of different diameter share angle and stress, but no cell.
     while (lines[line].contains(t.property)) ++line.more;
     lines[line][t.property] = &t;
     properties.insert(t.property);
@@ -103,6 +108,7 @@ std::string target_table(const std::vector<Target>& targets, bool bedded, int te
       n.cells.push_back(t == nullptr ? "-" : fmt::format("{}", t->n));
       disc.cells.push_back(t == nullptr || t->diameter == 0.0 ? "-" : fmt::format("{:g}", t->diameter * 1e3));
     }
+    // A group stays together where the terminal breaks the table.
     groups.push_back({value, scatter, n});
     if (measured(p).of_discs && sizes) groups.back().push_back(disc);
   }
@@ -119,9 +125,11 @@ std::string identifiability_table(const std::vector<ParameterEstimate>& estimate
       interval{"expected interval", "", {}, true}, why{"rests on / next test", "", {}, true};
   for (const ParameterEstimate& e : estimates) {
     const std::string range =
+        // As multiples of the value to come, which nobody knows before the fit.
         std::isfinite(e.low) ? fmt::format("x {:.2f} ... {:.2f}", e.low, e.high) : "known after the fit";
     symbol.cells.push_back(e.symbol);
     determined.cells.emplace_back(e.determined ? "yes" : "no");
+    // An open parameter has expected ends, too, which would look like knowledge.
     interval.cells.push_back(e.determined || !std::isfinite(e.low) ? range : "wide");
     why.cells.push_back(e.determined                    ? text_of(e.rests_on)
                         : e.next.remedy == Remedy::none ? "no test of a table determines it"
@@ -136,8 +144,9 @@ std::string identifiability_table(const std::vector<ParameterEstimate>& estimate
 std::vector<std::pair<std::string, std::string>> departures(const Calibration& c) {
   const MatrixRecipe& m = c.recipe.matrix;
   std::vector<std::pair<std::string, std::string>> rows;
+  // Rows only for what departs from the paper's model: its tables stay comparable line by line.
   if (m.model == MatrixModel::parallel_bond && m.moment_contribution < 1.0)
-    rows.emplace_back("Moment contribution beta", cell(c, m.moment_contribution, 1.0));
+    rows.emplace_back("Moment contribution beta_bar", cell(c, m.moment_contribution, 1.0));
   if (m.shear_strength == ShearStrength::cohesion_friction)
     rows.emplace_back("Friction angle phi [deg]", cell(c, m.phi, 1.0));
   if (m.unbonded_fraction > 0.0) rows.emplace_back("Share without a bond", cell(c, m.unbonded_fraction, 1.0));
@@ -167,9 +176,15 @@ std::vector<ParameterTable> matrix_tables(const Calibration& c) {
     return all;
   };
   const char* title = "Table 1. Intact rock";
-  if (m.model == MatrixModel::parallel_bond)
+  if (m.model == MatrixModel::parallel_bond) {
+    // A calibration seeks one modulus for contacts and bonds, printed in both places as the paper does. A
+    // recipe whose moduli were not sought may have two.
+    const bool one = m.E_b == m.E_c && m.bond_ks_over_kn == m.ks_over_kn;
+    const Rows of_bonds = {{"Modulus E_b [GPa]", cell(c, m.E_b, GPa)},
+                           {"Stiffness ratio k_s/k_n", cell(c, m.bond_ks_over_kn, 1.0)}};
     return {{title, "balls", joined({density, stiffness, friction})},
-            {"", "parallel bonds", joined({stiffness, strength})}};
+            {"", "parallel bonds", joined({one ? stiffness : of_bonds, strength})}};
+  }
   const Rows elements = {{"Elements of an interface", fmt::format("{} (given)", m.elements)}};
   return {{title, "flat joints", joined({density, stiffness, friction, strength, elements})}};
 }
@@ -237,6 +252,7 @@ std::string angle_table(const Calibration& c, int terminal_width) {
     for (const auto& [theta, row] : cells) angles.insert(theta);
   Column label{is_bedded(c) ? "theta [deg]" : "", "", {}, true};
   std::vector<Columns> columns;
+  // Angles across: a table of a rock has seldom more than seven, but many tests.
   for (const double theta : angles)
     columns.push_back({{is_bedded(c) ? fmt::format("{:g}", theta) : "any direction", "", {}}});
   for (const std::map<double, Comparison>& cells : tests) {
@@ -251,6 +267,7 @@ std::string angle_table(const Calibration& c, int terminal_width) {
       const auto at = cells.find(theta);
       std::vector<std::string>& column = columns[i++].front().cells;
       if (at == cells.end()) {
+        // A test need not have every angle of another.
         column.insert(column.end(), 3, "-");
         continue;
       }
@@ -271,6 +288,7 @@ std::string failure_table(const Calibration& c, int terminal_width) {
     return fmt::format("{:.0f}", mean * unit) +
            (std::isfinite(sd) ? fmt::format(" +- {:.0f}", sd * unit) : "");
   };
+  // Unseen packings where there are some: they have had no part in the choice of parameters.
   std::vector<Comparison> rows = c.verification.empty() ? c.fitted : c.verification;
   rows.insert(rows.end(), c.compared.begin(), c.compared.end());
   std::erase_if(rows, [](const Comparison& row) {  // a test is one line, whatever is read in it
@@ -321,6 +339,7 @@ std::string macro_table(const Calibration& c, int terminal_width) {
              [&](R r) { return fmt::format("{} ... {}", number_cell(r, r.low), number_cell(r, r.high)); })};
   Columns fit = {column("fit", [](R r) { return value_cell(&r); }),
                  column("error", [](R r) { return error_cell(&r); })};
+  // Side by side with the fit: a model that only remembers its packings shows here.
   const Columns unseen = {column("unseen", [&](R r) { return value_cell(row_of(c.verification, r.target)); }),
                           column("error", [&](R r) { return error_cell(row_of(c.verification, r.target)); })};
   std::string legend = "rock, 95 %: of the mean, by laboratory and model together\n";
@@ -330,6 +349,7 @@ std::string macro_table(const Calibration& c, int terminal_width) {
         "with discrepancy: fit times what the model misses of the table, as a smooth function of theta\n";
   }
   std::vector<Columns> groups = {laboratory, fit, unseen};
+  // The word E means three slopes in the literature, and a reader cannot see which.
   if (c.E_is != ModulusReading::small_strain)
     legend += fmt::format("E: {}, of the laboratory and of the press alike\n", to_string(c.E_is));
   if (!c.tangent_from_test.empty()) {
@@ -346,6 +366,7 @@ std::string eq2_table(const Calibration& c, int terminal_width) {
   const auto column = [&](const std::string& head, const char* unit, const char* format, auto number) {
     return column_of(head, unit, c.eq2, [=](R r) {
       const double x = number(r);
+      // Of some bands Eq. 1 has no fit; the row stays, so that nobody takes it for forgotten.
       return std::isfinite(x) ? fmt::format(fmt::runtime(format), x) : std::string("-");
     });
   };
@@ -380,12 +401,14 @@ std::string error_table(const Calibration& c, int terminal_width) {
   std::vector<Columns> groups;
   for (std::size_t i = 0; i < n_properties; ++i) {
     const auto p = static_cast<Property>(i);
+    // Only properties of the table: columns of dashes would crowd out the others.
     if (std::any_of(c.fitted.begin(), c.fitted.end(),
                     [&](const Comparison& row) { return row.target.property == p; }))
       groups.push_back(
           {column_of(to_string(p), "", rows, [&](const ErrorRow& r) { return miss_text(p, r.rms[i]); })});
   }
   std::string legend;
+  // Rows of values left out come last.
   if (rows.back().is_left_out)
     legend = "left out: those with neighbours on both sides, each predicted from the others\n";
   for (const LeftOutErrors& e : left_out_errors(c))
@@ -417,6 +440,7 @@ std::string budget_text(const Calibration& c, int terminal_width) {
     if (n.tension > 0)
       text += fmt::format(" and {} in {}", n.tension,
                           fmt::join(other_tests(c, {"tension", "bending", "direct shear"}), " or "));
+    // A coarse test costs a fraction: without this word the counts of two calibrations cannot be compared.
     if (n.coarse > 0) text += fmt::format("; {} of all tests on coarse grains", n.coarse);
     text += "; ";
   }

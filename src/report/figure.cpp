@@ -28,11 +28,14 @@ double round_above(double value) {
 void fit(Axis& axis, const Extent& seen) {
   const double most = std::isfinite(seen.most) ? seen.most : 0.0;
   if (axis.logarithmic) {
+    // Whole decades: ticks of a logarithmic axis stand at powers of ten only.
     if (!std::isfinite(axis.low)) axis.low = std::pow(10.0, std::floor(std::log10(seen.least)));
     if (!std::isfinite(axis.high)) axis.high = std::pow(10.0, std::ceil(std::log10(most)));
     return;
   }
+  // From zero: a cut axis makes small differences of strength look large.
   if (!std::isfinite(axis.low)) axis.low = seen.least < 0.0 ? -round_above(-seen.least) : 0.0;
+  // An axis needs a length, even where nothing is seen: gnuplot refuses an empty range.
   if (!std::isfinite(axis.high)) axis.high = most > 0.0 ? round_above(most) : axis.low < 0.0 ? 0.0 : 1.0;
 }
 
@@ -43,6 +46,7 @@ void fit_axes(Panel& panel) {
   for (const Series& s : panel.series)
     for (const Point& p : s.points) {
       x.add(p.x);
+      // Bars count as seen; an interval that leaves the picture would look shorter than it is.
       for (const double v : {p.y, p.low, p.high}) (s.right ? right : y).add(v);
     }
   fit(panel.x, x), fit(panel.y, y);
@@ -58,6 +62,8 @@ std::vector<const Series*> named_series(const std::vector<const Panel*>& panels)
   for (const Panel* panel : panels)
     for (const Series& s : panel->series) {
       const auto same = [&](const Series* other) { return other->name == s.name; };
+      // Panels share names: each stands once in the key. Series without points would be entries that nobody
+      // finds.
       if (!s.name.empty() && !s.points.empty() && std::none_of(named.begin(), named.end(), same))
         named.push_back(&s);
     }

@@ -14,6 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// web/src/figure.ts reads these words; a number would change its meaning with the order of the enumeration.
 constexpr std::array<const char*, 7> marks = {"line", "points", "dots", "text", "band", "boxes", "area"};
 constexpr std::array<const char*, 17> roles = {
     "ordered", "listed",   "plain",  "model",  "bare",  "laboratory", "specimen", "interval", "between",
@@ -32,6 +33,7 @@ Json column(const Series& s, double Point::*value) {
     numbers.push_back(
         number_json(std::isfinite(v) ? std::strtod(fmt::format("{:.7g}", v).c_str(), nullptr) : v));
   }
+  // A column without any number is left empty: most series have no intervals.
   return any ? numbers : Json::array();
 }
 
@@ -47,12 +49,14 @@ Json axis_json(const Axis& a) {
 
 Json series_json(const Series& s) {
   Json texts = Json::array();
+  // All or none: the page reads columns of equal length.
   if (std::any_of(s.points.begin(), s.points.end(), [](const Point& p) { return !p.text.empty(); }))
     for (const Point& p : s.points) texts.push_back(p.text);
   return {{"name", s.name},
           {"mark", marks.at(static_cast<std::size_t>(s.mark))},
           {"role", roles.at(static_cast<std::size_t>(s.role))},
           {"number", s.number},
+          // The colour of print, so that the page does not choose another.
           {"color", hex_color(paper_color(s.role, s.number, s.shade))},
           {"shade", number_json(s.shade)},
           {"strong", s.strong},

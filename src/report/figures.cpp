@@ -1,10 +1,14 @@
 #include "report/figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "base/check.hpp"
 #include "base/option.hpp"
+#include "base/quote.hpp"
 #include "base/spelling.hpp"
 #include "base/text_table.hpp"
 #include "report/calibration_figures.hpp"
@@ -19,6 +23,7 @@ namespace {
 
 Figure stress_strain(const FigureData& data) {
   Figure figure = stress_strain_figure(data.run);
+  // Empty axes would look like a fault of the drawing: say what the test lacks.
   if (!figure.panels.front().series.empty()) return figure;
   const Outcome o = data.run.tests.empty() ? Outcome{} : data.run.tests.front().result.outcome;
   throw InputError(Problem{"result", "", "", "a test that was loaded", o.reason + "; " + o.advice});
@@ -57,12 +62,14 @@ const std::vector<FigureKind>& figure_kinds() {
        stress_strain},
       {"damage", "", "stress and cracks by kind over strain, a panel per specimen of a run", 190.0, false,
        of_run<damage_figure>},
+      // Of a calibration too: the one kind that both have.
       {"anisotropy", "",
        "E, strengths, nu over the inclination: a run, or a calibration beside its laboratory", 190.0, false,
        anisotropy},
       {"modes", "", "share of each kind of crack in the specimens of a run", 90.0, false,
        of_run<modes_figure>},
       {"rose", "", "directions of the cracks of a run", 190.0, false, of_run<rose_figure>},
+      // No `make`: pictures of discs are pixels and go their own way.
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false, nullptr,
        draw_cracks},
       {"model", "fig2", "one specimen of a run with its bedding", 90.0, false, nullptr, draw_model},
@@ -80,6 +87,7 @@ const FigureKind& figure_kind(const std::string& word) {
   std::vector<std::string> names;
   std::string list;
   for (const FigureKind& k : figure_kinds()) {
+    // Readers of the paper ask for its figure by number.
     if (word == k.name || (*k.paper != 0 && word == k.paper)) return k;
     names.emplace_back(k.name);
     list += (list.empty() ? "" : ", ") + names.back();
@@ -92,22 +100,46 @@ const FigureKind& figure_kind(const std::string& word) {
       option_problem("kind", word, "one of " + list, near.empty() ? "" : "did you mean " + near + "?"));
 }
 
-std::string figure_script(const FigureKind& kind, const FigureData& data, FigureFormat format, double width,
-                          const std::string& out) {
-  const double w = width > 0.0 ? width : kind.width;
-  if (kind.make != nullptr) return gnuplot_script(kind.make(data), format, w, out);
+std::string figure_script(const FigureKind& kind, const FigureData& data, Sheet sheet) {
+  if (sheet.width == 0.0) sheet.width = kind.width;
+  if (kind.make != nullptr) return gnuplot_script(kind.make(data), sheet);
+  if (sheet.height != 0.0)
+    throw InputError(Problem{"command line", "--size", fmt::format("{:g}x{:g}", sheet.width, sheet.height),
+                             "a width alone", "pictures of specimens are as high as the specimens"});
   GnuplotScript script;
-  const double height = kind.picture(script, data.run, w);
-  return gnuplot_head(format, w, height, out) + script.text();
+  // The picture is made first: its height follows from the specimen, and the head has to name it.
+  sheet.height = kind.picture(script, data.run, sheet.width);
+  return gnuplot_head(sheet) + script.text();
+}
+
+std::string figure_csv(const FigureKind& kind, const FigureData& data) {
+  if (kind.make == nullptr)
+    throw InputError(Problem{"command line", "--data", "", "a kind with axes",
+                             "pictures show discs.csv and cracks.csv of the folder"});
+  const auto number = [](double x) { return std::isfinite(x) ? fmt::format("{:.8g}", x) : ""; };
+  std::string text = "panel,series,x_axis,y_axis,x,y,low,high,text\n";
+  char letter = 'a';  // as the figure numbers its panels
+  for (const Panel& panel : kind.make(data).panels) {
+    const std::string title = panel.title.empty() ? std::string(1, letter) : panel.title;
+    ++letter;
+    for (const Series& s : panel.series)
+      for (const Point& p : s.points)
+        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_cell(title), csv_cell(s.name),
+                            csv_cell(panel.x.label()), csv_cell((s.right ? *panel.right : panel.y).label()),
+                            number(p.x), number(p.y), number(p.low), number(p.high), csv_cell(p.text));
+  }
+  return text;
 }
 
 std::string figure_text(const FigureKind& kind, const FigureData& data, int columns) {
   if (kind.make == nullptr)
     throw InputError(Problem{"command line", "--format", "terminal", "svg, pdf or png",
                              "specimens are pictures of discs, too fine for a terminal"});
+  // Fits with caption into a terminal of 24 lines.
   constexpr int rows = 20;
   std::string text;
   for (const Panel& panel : kind.make(data).panels) {
+    // Without colours: what is printed here is mostly redirected into a file or pasted.
     for (const std::string& line : terminal_plot(panel, columns, rows, false)) text += line + "\n";
     text += panel.caption.empty() ? "\n" : wrapped(panel.caption, columns) + "\n\n";
   }

@@ -37,9 +37,10 @@ const std::vector<FigureKind>& figure_kinds();
 /// By name or by the paper's number; throws InputError with the names.
 const FigureKind& figure_kind(const std::string& word);
 
-/// The script that writes the figure into `out`. `width` [mm], 0: the usual one.
-std::string figure_script(const FigureKind& kind, const FigureData& data, FigureFormat format, double width,
-                          const std::string& out);
+/// The script that writes the figure; a sheet of width 0 has the usual one.
+std::string figure_script(const FigureKind& kind, const FigureData& data, Sheet sheet);
+/// What is drawn, as CSV: a line per point, with panel, series, and the quantities and units of both axes.
+std::string figure_csv(const FigureKind& kind, const FigureData& data);
 /// The panels for a terminal, one below the other.
 std::string figure_text(const FigureKind& kind, const FigureData& data, int columns);
 

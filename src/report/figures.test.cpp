@@ -64,8 +64,9 @@ std::vector<Series> of_role(const Panel& panel, Role role, Mark mark) {
   return some;
 }
 
-std::string script_of(const std::string& kind, const FigureData& data, double width = 0.0) {
-  return figure_script(figure_kind(kind), data, FigureFormat::svg, width, "out.svg");
+std::string script_of(const std::string& kind, const FigureData& data, double width = 0.0,
+                      double height = 0.0) {
+  return figure_script(figure_kind(kind), data, {FigureFormat::svg, width, height, "out.svg"});
 }
 
 TEST(Figures, EveryFigureOfThePaperHasAKind) {
@@ -102,6 +103,18 @@ TEST(Figures, MacroStiffnessesAreThoseOfTheContinuum) {
     EXPECT_NEAR(means[0].points[i].y, 7000.0 * factor, 1e-3);
     EXPECT_NEAR(means[1].points[i].y, 1400.0, 1e-3);
   }
+}
+
+TEST(Figures, ALineThroughValuesHasTheColourOfItsPoints) {
+  Variation v = continuum({0.5, 1.0, 2.0});
+  v.parameters.push_back(v.parameters.front());
+  v.parameters.back().key = "bedding.k_s";
+  const Panel panel = stiffness_figure(v).panels.at(0);
+  const std::vector<Series> lines = of_role(panel, Role::listed, Mark::line),
+                            points = of_role(panel, Role::listed, Mark::points);
+  ASSERT_EQ(lines.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(lines[i].number, points[i].number);
+  EXPECT_NE(lines[0].number, lines[1].number);
 }
 
 // 2 x 3000 + 400 GPa/m at the base.
@@ -364,6 +377,14 @@ TEST(Figures, LongCurvesAreThinnedAroundTheirPeak) {
 }
 
 // Three cracks in the matrix, of which one in shear, and one of the bedding, spread over the test.
+TEST(Figures, CracksOfTensionAndShearDifferInGrey) {
+  const auto grey = [](Color c) {  // as printers and screens make it, ITU-R BT.601
+    return 0.299 * (c >> 16U) + 0.587 * ((c >> 8U) & 255U) + 0.114 * (c & 255U);
+  };
+  for (const std::size_t tension : {0U, 2U})
+    EXPECT_GT(grey(crack_colors[tension]) - grey(crack_colors[tension + 1]), 30.0) << crack_names[tension];
+}
+
 TEST(Figures, CracksAreCountedByKindAndAddUp) {
   RunRecord run;
   run.tests.push_back(curve_to(30.0, 0.5, 10.0));
@@ -492,9 +513,9 @@ TEST(Figures, SpecimensFillTheirFigure) {
                       size = fmt::format("size {:.0f},", 190.0 / 25.4 * 96.0);
     return std::stod(script.substr(script.find(size) + size.size())) / 96.0 * 25.4;
   };
-  EXPECT_NEAR(height(5, 1.0), 38.0 + 13.0, 0.5);                // squares of 38 mm, title and key
-  EXPECT_NEAR(height(5, 2.0), 38.0 * 2.06 / 1.06 + 13.0, 0.5);  // 3 % of the width around each
-  EXPECT_NEAR(height(1, 2.0), 60.0 * 2.06 / 1.06 + 13.0, 0.5);  // one alone is not as wide as the figure
+  EXPECT_NEAR(height(5, 1.0), 38.0 + 17.5, 0.5);                // squares of 38 mm, title, scale and key
+  EXPECT_NEAR(height(5, 2.0), 38.0 * 2.06 / 1.06 + 17.5, 0.5);  // 3 % of the width around each
+  EXPECT_NEAR(height(1, 2.0), 60.0 * 2.06 / 1.06 + 17.5, 0.5);  // one alone is not as wide as the figure
 }
 
 TEST(Figures, SizesAreThoseOfJournals) {
@@ -502,6 +523,32 @@ TEST(Figures, SizesAreThoseOfJournals) {
   data.variation = continuum({0.5, 1.0});
   EXPECT_THAT(script_of("fig4", data), HasSubstr(fmt::format("size {:.0f},", 190.0 / 25.4 * 96.0)));
   EXPECT_THAT(script_of("fig4", data, 90.0), HasSubstr(fmt::format("size {:.0f},", 90.0 / 25.4 * 96.0)));
+  EXPECT_THAT(script_of("fig4", data, 190.0, 80.0), HasSubstr("size 718,302 "));  // 96 dots per inch
+  EXPECT_THROW(script_of("fig4", data, 190.0, 20.0), InputError) << "no room between the axes";
+  data.run.tests = {test_at(0.0, "ucs", 2.0)};
+  EXPECT_THROW(script_of("cracks", data, 190.0, 80.0), InputError) << "as high as the specimens";
+}
+
+// A specimen of 10 mm and its edges of 0.3 mm are drawn 60 mm wide.
+TEST(Figures, TheScaleIsThatOfThePicture) {
+  FigureData data;
+  data.run.tests = {test_at(0.0, "ucs", 2.0)};
+  const std::string script = script_of("cracks", data);
+  EXPECT_THAT(script, HasSubstr("'5 mm' at screen"));
+  double from = 0.0, y = 0.0, to = 0.0;
+  ASSERT_EQ(std::sscanf(script.c_str() + script.find("set arrow 2"),
+                        "set arrow 2 from screen %lf,%lf to screen %lf", &from, &y, &to),
+            3);
+  EXPECT_NEAR((to - from) * 190.0, 5.0 / 10.6 * 60.0, 0.05);
+}
+
+TEST(Figures, TheirDataAreWrittenPointByPoint) {
+  FigureData data;
+  data.run.tests = {test_at(0.0, "ucs", 2.0), test_at(45.0, "ucs", 2.0)};
+  const std::string csv = figure_csv(figure_kind("anisotropy"), data);
+  EXPECT_THAT(csv, testing::StartsWith("panel,series,x_axis,y_axis,x,y,low,high,text\n"));
+  EXPECT_THAT(csv, HasSubstr(",UCS [MPa],45,1,,,"));
+  EXPECT_THROW(figure_csv(figure_kind("cracks"), data), InputError) << "a picture has no points";
 }
 
 TEST(Canvas, ADiscCoversItsArea) {

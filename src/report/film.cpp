@@ -14,10 +14,12 @@ namespace {
 
 constexpr double label_height = 34.0, curve_height = 190.0, edge = 14.0;  // [pixels]
 constexpr double widest_cell = 420.0;                                     // [pixels]
+// Without it the last frame, the broken specimen, is gone before anybody has looked.
 constexpr double rest = 0.12;  // of the film, in which the end stands still
 constexpr Color paper = 0xffffff, ink = 0x3d464c;
 
 Color color_of(const TestResult& r) {
+  // The same colours as in the figures of the run.
   const Series look = series_of(r, Mark::line, 0);
   return paper_color(look.role, look.number, look.shade);
 }
@@ -29,6 +31,7 @@ Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options)
     if (t.scene.frames.empty()) continue;
     places_.push_back({&t, {}});
     axes_ = t.recipe.test.kind->curve;
+    // One clock of strain for all: specimens that fail early stand still while others go on.
     end_ = std::max(end_, last_strain(t));
     for (const HistoryRow& row : t.result.history.rows)
       strongest_ = std::max(strongest_, axes_.stress_of(row));
@@ -42,12 +45,14 @@ Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options)
   }
   const auto n = static_cast<double>(places_.size());
   const Scene& scene = places_.front().test->scene;
+  // One specimen alone would fill the width and be taller than any screen.
   cell_ = std::min(widest_cell, (options_.width - 2.0 * edge) / n);
   const double scale = 0.92 * cell_ / scene.width;
   for (std::size_t i = 0; i < places_.size(); ++i)
     places_[i].view = {0.5 * (options_.width - cell_ * n) + cell_ * (static_cast<double>(i) + 0.04),
                        label_height, scale, options_.magnify, true};
   curve_top_ = label_height + scale * scene.height + 26.0;
+  // Colours are kept at half the resolution (yuv420p), so that pixels come in pairs.
   height_ = 2 * static_cast<int>(
                     std::ceil(0.5 * (curve_top_ + curve_height + 30.0)));  // encoders want even numbers
 }
@@ -58,6 +63,7 @@ int Film::n_frames() const {
 
 Canvas Film::frame(int i) const {
   Canvas canvas(width(), height_, paper);
+  // Even steps of strain, whatever the spacing of the frames that a run has kept.
   const double strain = end_ * std::min(1.0, (1.0 + rest) * i / (n_frames() - 1));
   for (const Place& p : places_)
     draw_specimen(canvas, *p.test, p.view, std::min(strain, last_strain(*p.test)));
@@ -69,6 +75,7 @@ void Film::draw_curves(Canvas& canvas, double strain) const {
   const double left = edge + 8.0, right = width() - edge - 8.0, low = curve_top_ + curve_height;
   const auto place = [&](const HistoryRow& row) {
     return Vec2{left + (right - left) * axes_.strain_of(row) / end_,
+                // At least 1 Pa: a test that never carried anything draws a flat line.
                 low - curve_height * axes_.stress_of(row) / std::max(1.0, strongest_)};
   };
   canvas.line({left, low}, {right, low}, 1.2, ink);
@@ -92,6 +99,7 @@ std::string Film::labels() const {
   for (const Place& p : places_)
     add(heading(p.test->result), p.view.left + 0.46 * cell_, 9.0, color_of(p.test->result));
   add(fmt::format("{} to {:.3g} MPa over {} to {:.2g} {}", axes_.stress, 1e-6 * strongest_, axes_.strain,
+                  // In drawtext a percent sign begins an expansion.
                   axes_.strain_factor * end_, axes_.strain_unit == "%" ? "percent" : axes_.strain_unit),
       0.5 * width(), height_ - 24.0, ink);
   return filter;
@@ -113,10 +121,16 @@ std::vector<std::string> Film::encoder_arguments(const std::string& out) const {
                                         "-i",
                                         "-"};
   const auto add = [&](std::initializer_list<std::string> more) { arguments.insert(arguments.end(), more); };
+  // A palette of the film's own, as a GIF has 256 colours at most; dithering would flicker from frame to
+  // frame.
   if (out.ends_with(".gif"))
     add({"-filter_complex",
          labels() +
              ",split[a][b];[a]palettegen=max_colors=64:stats_mode=diff[p];[b][p]paletteuse=dither=none"});
+  else if (out.ends_with(".mp4"))
+    // Even sides, colours at half resolution and the index in front are what PowerPoint and browsers play.
+    add({"-vf", labels() + ",pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "20", "-pix_fmt",
+         "yuv420p", "-movflags", "+faststart"});
   else
     add({"-vf", labels(), "-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1", "-deadline",
          "good", "-cpu-used", "4", "-pix_fmt", "yuv420p"});

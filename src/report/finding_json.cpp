@@ -14,6 +14,7 @@ constexpr const char* confinements[] = {"any", "higher", "another"};
 Json test_json(const LabTest& test) {
   Json j = {{"property", to_string(test.property)},
             {"where", inclinations[static_cast<std::size_t>(test.where)]}};
+  // Elsewhere both are unset, and zeros would read as an angle.
   if (test.where == Inclination::between) j["from [deg]"] = test.from, j["to [deg]"] = test.to;
   if (test.stress != StressAsked::any) j["confinement"] = confinements[static_cast<std::size_t>(test.stress)];
   return j;
@@ -32,6 +33,7 @@ Json tests_json(const std::vector<LabTests>& tests) {
 
 Json cell_json(const Cell& c) {
   Json j = {{"property", to_string(c.property)},
+            // null: of the property as a whole.
             {"theta [deg]", std::isfinite(c.theta) ? Json(c.theta) : Json(nullptr)}};
   if (c.confining > 0.0) j["confining [Pa]"] = c.confining;
   if (c.diameter > 0.0) j["diameter [m]"] = c.diameter;
@@ -41,6 +43,7 @@ Json cell_json(const Cell& c) {
 Json numbers_json(const Finding& f) {
   Json numbers = Json::object();
   for (const NamedNumber& q : f.numbers) {
+    // A name may occur once per cell; then its values form a list in the order of the cells.
     Json& number = numbers[q.name];
     if (number.is_null())
       number = q.value;
@@ -60,6 +63,7 @@ Json finding_json(const Finding& f) {
   Json j = {{"kind", to_string(f.kind)}, {"cells", std::move(cells)}, {"numbers", numbers_json(f)}};
   if (!f.names.empty()) j["names"] = f.names;
   if (f.advice != Advice::none) j["advice"] = to_string(f.advice);
+  // For people; a program that parses it breaks with the next version.
   j["text"] = sentence(f);
   return j;
 }

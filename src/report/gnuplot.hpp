@@ -35,7 +35,14 @@ enum class FigureFormat { svg, pdf, png };
 /// By the ending of a file's name, without the point.
 const std::map<std::string, FigureFormat>& figure_formats();
 
-/// The lines that set size [mm], letters and lines for print, and the file.
-std::string gnuplot_head(FigureFormat format, double width, double height, const std::string& out);
+/// What a figure is drawn on.
+struct Sheet {
+  FigureFormat format = FigureFormat::svg;
+  double width = 0.0, height = 0.0;  ///< [mm]; a height of 0: what the figure takes
+  std::string out;                   ///< the file
+};
+
+/// The lines that set size, letters and lines for print, and the file.
+std::string gnuplot_head(const Sheet& sheet);
 
 }  // namespace phy::report

@@ -9,8 +9,8 @@
 
 namespace phy::report {
 
-/// The script that writes a figure, `width` mm wide, into `out`.
-std::string gnuplot_script(const Figure& figure, FigureFormat format, double width, const std::string& out);
+/// The script that writes a figure onto a sheet. Throws InputError where the sheet is too low for its panels.
+std::string gnuplot_script(const Figure& figure, Sheet sheet);
 
 /// A text with its symbols in italics and what follows "_" low, as gnuplot's markup.
 std::string typeset(const std::string& text);

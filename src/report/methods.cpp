@@ -20,6 +20,7 @@ namespace {
 std::string quantity(double value, Dimension d) { return print_quantity(value, d); }
 
 std::string radii_text(const PackingRecipe& p) {
+  // Radii come from porosity and number of grains with all digits of a double.
   const auto length = [](double value) { return quantity(rounded(value, 4), Dimension::length); };
   return fmt::format("radii between {} and {}, uniform by {}", length(p.radius_min), length(p.radius_max),
                      p.distribution == RadiusDistribution::by_number ? "number" : "area");
@@ -28,6 +29,7 @@ std::string radii_text(const PackingRecipe& p) {
 std::string packing_text(const SpecimenRecord& t) {
   const Recipe& r = t.recipe;
   const std::string source =
+      // Imported discs have no law of radii and no seed that would make them again.
       r.packing.file.empty() ? fmt::format("{}, seed {}", radii_text(r.packing), r.packing.seed) : "imported";
   return fmt::format(
       "The specimens are two-dimensional assemblies of {} discs ({}) in a rectangle of {} by {} (width by "
@@ -45,6 +47,7 @@ std::string departures_text(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
   const char* const contacts = r.bedding.empty() ? "contacts" : "contacts that are no joints";
   std::string text;
+  // What is as by default is not said: a methods section names departures alone.
   if (m.unbonded_fraction > 0.0)
     text += fmt::format(" {:g} % of the {}, drawn at random, have no bond.", 100.0 * m.unbonded_fraction,
                         contacts);
@@ -58,6 +61,7 @@ std::string departures_text(const Recipe& r) {
                                   " The foliation of the matrix lies at {:g} deg where the bedding lies at "
                                   "{:g} deg, and turns with it.",
                                   m.foliation, r.bedding.front().theta);
+  // The formulas in full: no other program has these factors, so a name would tell a reader nothing.
   return text + fmt::format(
                     " Contacts have directions: a is the angle between the normals of contact and foliation. "
                     "Stiffness, tensile strength and shear strength are multiplied by 1 + W cos 2a, W = (1 - "
@@ -66,6 +70,7 @@ std::string departures_text(const Recipe& r) {
                     m.stiffness_ratio, m.tension_ratio, m.cohesion_ratio, m.cohesion_oblique);
 }
 
+// Bonds of constant shear strength have no angle, and "0 deg" would read as a choice.
 std::string friction_angle_text(const MatrixRecipe& m) {
   return m.shear_strength == ShearStrength::constant ? "" : fmt::format("friction angle {:g} deg, ", m.phi);
 }
@@ -170,9 +175,11 @@ std::string end_of(const SpecimenRecord& test) {
   if (t.kind->runs_to_end)
     return fmt::format("past the peak, at the full {} of {:.3g} {}", axes.strain,
                        axes.strain_of(rows.back()) * axes.strain_factor, axes.strain_unit);
+  // Read again from the rows: a result keeps the sentence about its end, but a paper needs rule and limit.
   const auto peak = std::max_element(rows.begin(), rows.end(), [&](const HistoryRow& a, const HistoryRow& b) {
     return axes.stress_of(a) < axes.stress_of(b);
   });
+  // In the order in which the procedure looks: a row may fulfil both rules.
   if (axes.stress_of(rows.back()) < t.stop_at * axes.stress_of(*peak))
     return fmt::format("the {} had fallen below {:g} % of its peak", axes.stress, 100.0 * t.stop_at);
   const double end = axes.strain_of(rows.back()), far = (1.0 + t.post_peak) * axes.strain_of(*peak);
@@ -187,6 +194,7 @@ std::string ends_text(const RunRecord& run) {
   std::vector<std::pair<std::string, std::vector<std::string>>> ends;
   for (const SpecimenRecord& t : run.tests) {
     const std::string end = end_of(t);
+    // Journals have no room for seven equal sentences.
     auto at = std::find_if(ends.begin(), ends.end(), [&](const auto& e) { return e.first == end; });
     if (at == ends.end()) at = ends.insert(at, {end, {}});
     at->second.push_back(t.result.name);
@@ -197,6 +205,7 @@ std::string ends_text(const RunRecord& run) {
 }
 
 std::string inertia_text(const Recipe& r) {
+  // Scaled masses change no static strength, but a reader who repeats the test needs them.
   return r.engine.grain_inertia == GrainInertia::disc
              ? ""
              : " Every grain had the mean mass of a grain and the moment of inertia of a ring (differential "
@@ -207,6 +216,7 @@ std::string loading_text(const RunRecord& run) {
   const SpecimenRecord& t = run.tests.front();
   double least = t.result.dt, most = t.result.dt;
   for (const SpecimenRecord& other : run.tests)
+    // Specimens of one packing have other joints, and the stiffest contact decides the step.
     least = std::min(least, other.result.dt), most = std::max(most, other.result.dt);
   const Recipe& r = t.recipe;
   return fmt::format(
@@ -240,6 +250,7 @@ std::string definition_text(const RunRecord& run, const std::string& name) {
 std::string definitions_text(const RunRecord& run) {
   std::string text = "Definitions. ";
   const std::string strength = run.tests.front().recipe.test.kind->curve.quantity().number;
+  // Numbers that papers quote under one name with many meanings; all others have theirs in result.json.
   for (const std::string& name : std::vector<std::string>{"E_tangent", "nu", strength, "sigma_ci",
                                                           "sigma_ci_strain", "sigma_cd", "sigma_cd_volume"})
     text += definition_text(run, name);
@@ -254,6 +265,7 @@ std::string references_text(const Recipe& r) {
             "Mechanics/Geomechanics Symposium (2012) ARMA 12-501."
           : "D.O. Potyondy & P.A. Cundall, A bonded-particle model for rock, Int. J. Rock Mech. Min. Sci. 41 "
             "(2004) 1329-1364.";
+  // Only works whose models were used: an editor would strike the others.
   if (any([](const BeddingRecipe& b) { return !b.unjointed(); }))
     text +=
         " D. Mas Ivars et al., The synthetic rock mass approach for jointed rock mass modelling, Int. J. "
@@ -314,6 +326,7 @@ std::string layers_text(const Calibration& c) {
 std::string relations_text(const Calibration& c) {
   std::string text;
   for (const MeasuredProperty& p : measured_properties())
+    // A property without a test of its own stands in by a factor of the literature, which must be told.
     if (p.share != 1.0 && std::any_of(c.fitted.begin(), c.fitted.end(),
                                       [&](const Comparison& f) { return f.target.property == p.property; }))
       text += fmt::format(" {} of the model is {:g} of its strength in the {} test, an empirical relation.",
@@ -322,6 +335,7 @@ std::string relations_text(const Calibration& c) {
 }
 
 std::string fit_text(const Calibration& c, const std::string& version) {
+  // Without a test of strength nothing but moduli was fitted, and half of the paragraph falls away.
   const std::int64_t n_ucs = c.counts.compression();
   std::string text = fmt::format(
       "The micro-parameters were calibrated with phyllite {} against laboratory values of {}: {}; E was "
@@ -348,11 +362,13 @@ std::string fit_text(const Calibration& c, const std::string& version) {
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
                         c.verification.front().n_packings);
   text += ".";
+  // The cost of models that were tried belongs to the result: it was a choice among several.
   if (!c.discarded.empty())
     text += fmt::format(" The numbers include solutions and tests of {} that {} not taken: {}.",
                         c.discarded.size() > 1 ? "other models" : "another model",
                         c.discarded.size() > 1 ? "were" : "was", fmt::join(c.discarded, "; "));
   text += relations_text(c);
+  // Direct solutions have no masses.
   return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
 

@@ -128,6 +128,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const SpecimenRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string(phy::program) : first.program;
+  j["head"] = extras.head;
   j["axes"] = axes_json(first.recipe.test.kind->curve);
   j["columns"] = columns_json(*first.recipe.test.kind);
   j["done"] = done_json(first.recipe);
@@ -148,6 +149,18 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
 }
 
 }  // namespace
+
+Json specimens_json(const RunRecord& run) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < run.tests.size(); ++i) {
+    const SpecimenRecord& t = run.tests[i];
+    list.push_back(test_json(t, i));
+    if (!t.scene.frames.empty())
+      list.back()["scene"] = io::base64(io::pack_scene(t.scene, t.result.history.kind));
+    list.back()["sign"] = t.recipe.test.kind->curve.sign;
+  }
+  return list;
+}
 
 std::string report_page(const RunRecord& run, const PageExtras& extras) {
   const std::string_view page = embedded("web/report.html");

@@ -2,8 +2,10 @@
 // web/report.html) is part of the program; here the results are put in: one block of JSON, a scene per
 // specimen. Every number in it is the one of result.json. Text is data to the page, never markup.
 #pragma once
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "records/calibration.hpp"
@@ -22,9 +24,14 @@ struct PageExtras {
   std::optional<Variation> variation;             ///< of a study
   std::vector<std::vector<std::string>> effects;  ///< of a study: effects.csv with its header
   std::string recipe;                             ///< of a study or calibration; default: that of the run
+  std::vector<std::pair<std::string, std::string>>
+      head;  ///< of the first page, name and text: "author", "NN"
 };
 
 /// The page as text. A run without specimens gives a page that says so.
 std::string report_page(const RunRecord& run, const PageExtras& extras = {});
+
+/// The specimens of a run as the page carries them, each with its scene in base 64; without one null.
+nlohmann::ordered_json specimens_json(const RunRecord& run);
 
 }  // namespace phy::report

@@ -71,6 +71,12 @@ TEST(Page, EveryNumberIsThatOfResultJson) {
   EXPECT_TRUE(data["tests"][1]["result"]["numbers"]["nu"]["value"].is_null());
 }
 
+TEST(Page, HeadIsThatOfTheExtras) {
+  PageExtras extras;
+  extras.head = {{"author", "A. <b>N.</b>"}};
+  EXPECT_EQ(data_of(report_page(three(), extras))["head"], Json::parse(R"([["author", "A. <b>N.</b>"]])"));
+}
+
 TEST(Page, TextOfTheUserIsNeverMarkup) {
   const std::string page = report_page(three());
   for (const char* bad : {"<script>alert", "<b>no drop", "<!-- raise"})

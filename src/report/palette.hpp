@@ -19,8 +19,8 @@ using Color = std::uint32_t;  ///< 0xRRGGBB
 
 inline std::string hex_color(Color c) { return fmt::format("#{:06x}", c); }
 
-/// Numbered by crack_kind().
-constexpr std::array<Color, 4> crack_colors = {0xd1400b, 0x8b2fa0, 0x0a66c2, 0x00875f};
+/// Numbered by crack_kind(). Shear is darker than tension, in grey too; the discs below show the place.
+constexpr std::array<Color, 4> crack_colors = {0xd1400b, 0x5b1670, 0x0a66c2, 0x004d33};
 constexpr std::array<const char*, 4> crack_names = {"matrix, tension", "matrix, shear", "bedding, tension",
                                                     "bedding, shear"};
 /// Among the numbers of a result.

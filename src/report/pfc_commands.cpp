@@ -34,6 +34,8 @@ std::string pfc_departures(const MatrixRecipe& m) {
         "  endloop\nend\n@leave_unbonded\n\n",
         m.unbonded_fraction);
   if (!m.directional()) return text;
+  // From the ratio along/across to the amplitude of cos 2a, as the factor is (1 + W)/(1 - W) between the
+  // ends.
   const auto W = [](double r) { return (1.0 - r) / (1.0 + r); };
   const PfcWords words = words_of(m);
   text += fmt::format(
@@ -52,6 +54,7 @@ std::string pfc_departures(const MatrixRecipe& m) {
       m.foliation, words.state, W(m.stiffness_ratio), W(m.tension_ratio), W(m.cohesion_ratio),
       W(m.cohesion_oblique));
   for (const char* stiffness : words.stiffnesses)
+    // Multiplied after the bonds are there: PFC's methods set stiffness by modulus and know no direction.
     text += fmt::format("    contact.prop(c,'{0}') = of_k*contact.prop(c,'{0}')\n", stiffness);
   for (const auto& [strength, factor] : {std::pair{words.tension, "of_ten"}, {words.cohesion, "of_coh"}})
     text += fmt::format("    contact.prop(c,'{0}') = {1}*contact.prop(c,'{0}')\n", strength, factor);
@@ -80,10 +83,12 @@ std::string pfc_joints(const Recipe& r) {
         "offset\n"
         "    local h2 = comp.x(ball.pos(contact.end2(c)))*nx + comp.y(ball.pos(contact.end2(c)))*ny - "
         "offset\n"
+        // `#` is FISH's "not equal".
         "    if math.floor(h1/spacing) # math.floor(h2/spacing) then    ; crossing rule\n";
   return text + fmt::format("      if contact.model(c) = '{}' then\n", words_of(r.matrix).model) +
          "        contact.model(c) = 'smoothjoint'\n" + pfc_joint_properties(b) +
          "        contact.prop(c,'dip') = 180.0 - theta\n"
+         // A new contact model begins unbonded, and a joint with strength but without a bond has none.
          "        contact.method(c,'bond')\n"
          "      endif\n    endif\n  endloop\nend\n@lay_bedding\n";
 }
@@ -93,6 +98,7 @@ std::string pfc_flat_joints(const MatrixRecipe& m) {
   std::string text = fmt::format(
       "contact method deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n"
       "contact property fj_fric {:.8g} fj_fa {:.8g} range contact type 'ball-ball'\n",
+      // PFC's kratio is k_n/k_s, the recipe's its inverse.
       m.E_c, 1.0 / m.ks_over_kn, m.mu, m.phi);
   return text;
 }
@@ -111,6 +117,8 @@ std::string pfc_matrix(const Recipe& r) {
                  "; --- matrix: linear contacts and parallel bonds\n"
                  "contact model linearpbond range contact type 'ball-ball'\n");
   text += fmt::format("contact method bond gap {:.8g} range contact type 'ball-ball'{}\n",
+                      // PFC takes one gap for all pairs, so a reach that grows with the discs is that of the
+                      // mean disc.
                       m.bond_reach(0.5 * (r.packing.radius_min + r.packing.radius_max)),
                       m.bond_gap > 0.0 ? "" : "   ; discs that touch");
   text += flat ? pfc_flat_joints(m) : pfc_matrix_properties(m);
@@ -137,6 +145,7 @@ std::string pfc_omissions(const Recipe& r) {
   };
   const MatrixRecipe& m = r.matrix;
   const bool flat = m.model == MatrixModel::flat_joint;
+  // A comment in the file and no error: parameters that PFC can hold are of use without the rest.
   omit(flat && m.break_at == BreakAt::edge,
        "break_at = \"edge\"; PFC holds the stress at the centroid against fj_ten");
   omit(flat && m.gapped_fraction > 0.0, "contacts that start apart (gapped_fraction)");
@@ -164,6 +173,7 @@ std::string pfc_commands(const Recipe& r) {
       "; Check the names of properties against the manual of your version.\n{}\n"
       "ball attribute density {:.8g} damp {:.8g}\n",
       comment_text(r.name), r.packing.radius_min * 1e3, r.packing.radius_max * 1e3, r.specimen.width * 1e3,
+      // PFC's local damping is the same number, and is set before anything moves.
       r.specimen.height * 1e3, pfc_omissions(r), r.matrix.density, r.engine.damping);
   text += pfc_matrix(r) + pfc_departures(r.matrix);
   const bool on_planes = !r.bedding.empty() && r.bedding.front().rule != BeddingRule::oriented;

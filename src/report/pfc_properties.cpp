@@ -13,11 +13,14 @@ std::string pfc_joint_properties(const BeddingRecipe& set) {
                                                  {"sj_fa", set.phi},      {"sj_rmul", set.radius_multiplier}};
   std::string text;
   for (const auto& [name, value] : list)
+    // Eight digits: a person may read and edit these; bits of parameters decide nothing in another program.
     text += fmt::format("        contact.prop(c,'{}') = {:.8g}\n", name, value);
   return text;
 }
 
 std::string pfc_matrix_properties(const MatrixRecipe& m) {
+  // The deformability method of PFC 5 divides by the length of the contact, PFC 3.1 did not: the same E_c is
+  // another stiffness.
   const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
   std::string text =
       pfc5 ? fmt::format(

@@ -27,6 +27,7 @@ std::string discs_text(const Packing& packing) {
   std::string text = "; --- discs   [D] ball create\n";
   for (std::size_t i = 0; i < packing.discs.size(); ++i) {
     const Disc& d = packing.discs[i];
+    // All digits: rounding moves discs by as much as the gaps that decide which pairs touch.
     text += fmt::format("ball create id {} radius {} position-x {} position-y {}\n", i + 1, print_number(d.r),
                         print_number(d.x), print_number(d.y));
   }
@@ -41,6 +42,7 @@ std::string bodies_text(const Recipe& r, const Specimen& s) {
   double r_max = 0.0, reach = 0.0;
   for (const Disc& d : p.discs) r_max = std::max(r_max, d.r);
   for (const Contact& c : s.contacts)
+    // Pairs with a gap are bonded here, too; PFC makes no contact farther apart than its proximity.
     reach = std::max(reach, norm(Vec2{p.discs[c.b].x - p.discs[c.a].x, p.discs[c.b].y - p.discs[c.a].y}) -
                                 p.discs[c.a].r - p.discs[c.b].r);
   const std::string stiffness =
@@ -56,7 +58,9 @@ std::string bodies_text(const Recipe& r, const Specimen& s) {
              "; a disc and a rigid platen: 2 E_c t\n"
              "contact cmat default type ball-facet model linear property kn {:.8g} ks {:.8g} fric {:.8g}\n"
              "contact cmat proximity {:.8g}                  ; [D]\n",
+             // The domain is wide enough for fragments, which may not leave it.
              -w, 2.0 * w, -h, 2.0 * h, stiffness, m.mu, 2.0 * m.E_c, 2.0 * m.ks_over_kn * m.E_c,
+             // A little more, so that rounding in PFC loses no pair at the very limit.
              r.test.platen_friction, 1.001 * reach + 1e-6 * r_max) +
          discs_text(p) +
          fmt::format(
@@ -66,6 +70,7 @@ std::string bodies_text(const Recipe& r, const Specimen& s) {
              "wall create id 2 name 'top' vertices {:.8g} {} {:.8g} {}\n"
              "model clean                                    ; [D] contact cmat proximity: finds the "
              "contacts\n",
+             // Platens are twice as wide as the specimen, which bulges.
              m.density, r.engine.damping, -0.5 * w, 1.5 * w, -0.5 * w, print_number(h), 1.5 * w,
              print_number(h));
 }
@@ -95,6 +100,7 @@ constexpr const char* contact_functions =
     "    if contact.gap(w) < 0.0 then\n      contact.prop(w,'rgap') = contact.gap(w)\n    endif\n"
     "  endloop\nend\n@free_of_stress\n";
 
+// A contact without a bond keeps its kind here and has the strength 0.
 bool holds(const Contact& c) { return c.kind == ContactKind::bonded && c.sigma_c > 0.0; }
 
 std::string bonds_text(const Specimen& s) {
@@ -107,8 +113,10 @@ std::string bonds_text(const Specimen& s) {
       "    contact.prop(c,'pb_ten') = ten\n"
       "    contact.prop(c,'pb_coh') = coh\n"
       "  endif\nend\n";
+  // One line per bond with the strength that was drawn here: PFC's own draw would be another specimen.
   for (const Contact& c : s.contacts)
     if (holds(c))
+      // Identifiers of PFC begin at 1.
       text += fmt::format("[bond({},{},{},{})]\n", c.a + 1, c.b + 1, print_number(c.sigma_c),
                           print_number(c.tau_c));
   return text +
@@ -133,6 +141,7 @@ constexpr const char* joint_function =
     "  endif\nend\n";
 
 std::string joints_text(const Specimen& s) {
+  // Without joints the functions would stand in the file for nothing.
   if (std::none_of(s.contacts.begin(), s.contacts.end(),
                    [](const Contact& c) { return c.kind == ContactKind::joint; }))
     return "";
@@ -158,11 +167,14 @@ std::string joints_text(const Specimen& s) {
     const BeddingRecipe& b = s.bedding_of(c.set);
     text += fmt::format("[set_{}(contact_of({},{}))]\n[joint({},{},{},{},{})]\n", set + 1, c.a + 1, c.b + 1,
                         c.a + 1, c.b + 1, print_number(b.theta), int{c.side},
+                        // The contact holds its strength as a multiple of the set's: both make the strength
+                        // that was drawn.
                         print_number(b.sigma_n * c.sigma_n));
   }
   return text;
 }
 
+// PFC runs on when a contact is missing; only a count tells that the specimen is another one.
 std::string counts_text(const Specimen& s) {
   const auto n = [&](const auto& is) { return std::count_if(s.contacts.begin(), s.contacts.end(), is); };
   const auto n_joints = n([](const Contact& c) { return c.kind == ContactKind::joint; });
@@ -179,8 +191,10 @@ std::string head(const Recipe& r, const Specimen& s) {
   return fmt::format("; {}, {}\n{}", comment_text(r.name), comment_text(s.name), sources);
 }
 
+// The test of this program step by step, so that both curves may differ by their engines alone.
 std::string test_text(const Recipe& r, const Specimen& s, const std::string& stem) {
   const TestRecipe& t = r.test;
+  // Both platens move.
   const double rate = 2.0 * t.platen_speed / s.packing->height;
   return fmt::format(
       "program call '{0}-specimen.p2dat'   ; [P]\n"
@@ -190,6 +204,7 @@ std::string test_text(const Recipe& r, const Specimen& s, const std::string& ste
       "; [P] wall.find, wall.vel.y, wall.disp.y, wall.force.contact.y, mech.timestep, array.create, string,\n"
       ";     file.open, file.write, file.close, model cycle in a command of FISH\n"
       "[top = wall.find(2)]\n[bottom = wall.find(1)]\n"
+      // FISH arrays do not grow; a test that fills it ends.
       "[rows = array.create(100000)]\n"
       "[rows(1) = 'axial_strain [1],axial_stress [Pa],n_cracks [1]']\n"
       "[n = 1]\n[strain = 0.0]\n[stress = 0.0]\n[peak = 0.0]\n[at_peak = 0.0]\n[cracks = 0]\n"
@@ -209,6 +224,7 @@ std::string test_text(const Recipe& r, const Specimen& s, const std::string& ste
       "  wall.vel.y(top) = -share*speed\nend\n"
       "fish define read_row\n"
       "  strain = (wall.disp.y(bottom) - wall.disp.y(top))/height\n"
+      // Mean of both platens: the difference of the two is inertia.
       "  stress = 0.5*(wall.force.contact.y(top) - wall.force.contact.y(bottom))/width\n"
       "  cracks = whole - unbroken\n"
       "  n = n + 1\n"
@@ -226,6 +242,7 @@ std::string test_text(const Recipe& r, const Specimen& s, const std::string& ste
       "  loop while going = 1\n"
       "    command\n      model cycle {8}\n    endcommand\n"
       "    read_row\n"
+      // As in the press here: fewer than three cracks are chance.
       "    if cracks > 2 then\n"
       "      if stress < stop_at*peak then\n        going = 0\n      endif\n"
       "      if strain > (1.0 + post_peak)*at_peak then\n        going = 0\n      endif\n"
@@ -238,6 +255,8 @@ std::string test_text(const Recipe& r, const Specimen& s, const std::string& ste
       "  status = file.write(rows, n)\n"
       "  status = file.close()\nend\n@write_curve\n",
       stem, print_number(s.packing->width), print_number(s.packing->height), t.platen_speed,
+      // While the speed rises evenly its mean is half: hence twice the time for this strain.
+      // 0 switches the rule off, and FISH has no word for infinity.
       2.0 * t.ramp_strain / rate, t.stop_at, t.post_peak > 0.0 ? t.post_peak : 1e9, t.max_strain,
       t.history_interval);
 }
@@ -250,6 +269,7 @@ void check_pfc_export(const Recipe& r, const std::string& where) {
     if (has) problems.push_back({where, key, "", expected, advice});
   };
   const MatrixRecipe& m = r.matrix;
+  // All refusals at once, and before a packing is made.
   refuse(r.test.kind != TestKind(), "test.kind", "uniaxial",
          "`phyllite recipe FILE --pfc` has the parameters");
   refuse(m.model != MatrixModel::parallel_bond, "matrix.model", "parallel_bond",

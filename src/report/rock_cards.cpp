@@ -25,6 +25,7 @@ double median(std::vector<double> values) {
 
 /// "5.1 %", of an error of nu "0.02"; a range where several calibrations differ.
 std::string error_text(const std::string& property, const std::vector<double>& values) {
+  // Absolute, as its tolerance: a share of 0.2 would look like a gross error.
   const bool share = property != "nu";
   const double scale = share ? 100.0 : 1.0;
   const int digits = share ? 1 : 3;
@@ -41,6 +42,7 @@ std::string measured_text(const Json& card) {
   const std::string text =
       fmt::format("{}", fmt::join(measured.at("properties").get<std::vector<std::string>>(), ", "));
   const int angles = measured.at("angles");
+  // Rock without layers has no angles.
   return angles == 0 ? text : fmt::format("{}; {} angles", text, angles);
 }
 
@@ -80,6 +82,7 @@ std::string failure_text(const Json& card, int terminal_width) {
   std::vector<Json> rows;
   for (const Json& cell : card.value("cells", Json::array()))
     if (cell.contains("failure")) rows.push_back(cell);
+  // A table of dashes would only push the verdict off the screen.
   const auto nothing = [](const Json& cell) {  // without bedding and without a plane
     return cell.at("failure").at("bedding_share").is_null() && cell.at("failure").at("planes") == 0;
   };
@@ -100,6 +103,7 @@ std::string failure_text(const Json& card, int terminal_width) {
                        const Json& of = cell.at("failure");
                        return fmt::format("{} of {}", of.at("planes").get<int>(), of.at("tests").get<int>());
                      })};
+  // Few papers measure the failure plane; the column is there for those.
   if (rows.front().at("failure").contains("laboratory [deg]"))
     columns.push_back(column_of("laboratory", "deg", rows, number("laboratory [deg]", 1.0)));
   return "\n" + text_table(test, {columns}, terminal_width);
@@ -107,10 +111,12 @@ std::string failure_text(const Json& card, int terminal_width) {
 
 std::string prediction_text(const Json& p) {
   const std::string what = p.at("text");
+  // A prediction is written down before it is run, so that it can fail.
   if (!p.contains("rms")) return fmt::format("Predicted: {}: not run yet.\n", what);
   return fmt::format(
       "Planned before it was run{}, {}: rms error {}, mean {:+.1f} %; {} of {} in the band. "
       "Yardstick: {}, {:.1f} %.\n",
+      // Blind: nothing was run with the measured values before.
       p.value("blind", false) ? ", blind" : "", what, error_text("", p.at("rms").get<std::vector<double>>()),
       100.0 * median(p.at("mean").get<std::vector<double>>()), p.at("inside").get<int>(),
       p.at("of").get<int>(), p.at("yardstick").get<std::string>(),
@@ -160,6 +166,7 @@ std::string rock_card(std::string_view text, int terminal_width) {
   std::string out =
       fmt::format("{} ({})\n", card.at("title").get<std::string>(), card.at("kind").get<std::string>());
   const Json& verdict = card.at("verdict");
+  // A rock that was not calibrated has a status alone.
   if (verdict.contains("sentence")) out += verdict.at("sentence").get<std::string>() + "\n";
   for (const Json& line : verdict.at("lines")) out += line.get<std::string>() + "\n";
   if (card.contains("errors")) {
@@ -170,6 +177,7 @@ std::string rock_card(std::string_view text, int terminal_width) {
   for (const Json& p : card.value("predictions", Json::array())) out += prediction_text(p);
   if (card.contains("errors")) out += course_text(card);
   const std::string failure = failure_text(card, terminal_width);
+  // The table is fitted to the terminal already; broken again, its columns would fall apart.
   out = wrapped(out, terminal_width, 2) + failure;
   std::string rest = "\n";
   for (const Json& caution : card.at("cautions")) rest += "- " + caution.get<std::string>() + "\n";

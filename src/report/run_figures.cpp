@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t most_points = 900;  // of a curve: more is not seen on paper or screen
 
 const TestCurve& axes_of(const RunRecord& run) {
+  // Even an empty figure needs names of its axes.
   return (run.tests.empty() ? TestKind() : run.tests.front().recipe.test.kind)->curve;
 }
 
@@ -25,6 +26,7 @@ const TestCurve& axes_of(const RunRecord& run) {
 std::vector<Point> curve_of(const SpecimenRecord& t) {
   const TestCurve& axes = t.recipe.test.kind->curve;
   const auto& rows = t.result.history.rows;
+  // By rows: the fast approach has few of them, the peak many.
   const std::size_t step = std::max<std::size_t>(1, rows.size() / most_points);
   const auto lower = [&](const HistoryRow& a, const HistoryRow& b) {
     return axes.stress_of(a) < axes.stress_of(b);
@@ -58,6 +60,7 @@ std::vector<Series> levels_of(const SpecimenRecord& t, int item) {
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const double level = as_read(t, levels[k][0]);
     for (const HistoryRow& row : t.result.history.rows) {
+      // Negated, so that a level of NaN is passed over as well.
       if (!(axes.stress_of(row) >= level)) continue;
       Series s = series_of(t.result, Mark::points, item);
       s.name = levels[k][1], s.role = Role::level, s.number = k;
@@ -103,12 +106,14 @@ Panel damage_panel(const SpecimenRecord& t, int item) {
   Panel panel = curve_panel(t.recipe.test.kind->curve);
   panel.title = heading(t.result);
   panel.right = Axis{"cracks", "", 0.0};
+  // Bands end with the test; a round number behind it would look like strain without cracks.
   if (last_strain(t) > 0.0) panel.x.high = t.recipe.test.kind->curve.strain_factor * last_strain(t);
   add(panel, crack_bands(t));
   Series stress{panel.y.quantity, Mark::line, Role::plain};
   stress.item = item, stress.points = curve_of(t);
   panel.series.push_back(stress);
   for (Series& s : levels_of(t, item)) {
+    // One specimen per panel: its shade of the angle would tell nothing here.
     s.shade = nan;
     panel.series.push_back(s);
   }
@@ -126,10 +131,12 @@ Point at(double radius, double degrees) {
 /// Corners of the petals; each begins and ends in the middle.
 std::vector<Point> petals(const Rose& r, double largest, bool shear_only) {
   std::vector<Point> points;
+  // A crack points both ways, so each petal is drawn twice.
   for (std::size_t i = 0; i < 2 * r.tension.size(); ++i) {
     const std::size_t k = i % r.tension.size();
     const double count = r.shear[k] + (shear_only ? 0.0 : r.tension[k]);
     if (count == 0.0) continue;
+    // Areas and not radii are in proportion to numbers, since the eye compares areas.
     const double from = (static_cast<double>(i) - 0.5) * r.bin(), radius = std::sqrt(count / largest);
     points.push_back({0.0, 0.0});
     constexpr int chords = 4;  // of the arc
@@ -152,6 +159,7 @@ Panel rose_panel(const SpecimenRecord& t) {
   for (int angle = 0; angle <= 360; angle += 5)
     outer.points.push_back(at(1.0, angle)), inner.points.push_back(at(0.5, angle));
   Series tension{"tension", Mark::area, Role::crack}, shear{"shear", Mark::area, Role::crack, 1};
+  // All cracks below, shear upon them: what is left uncovered is tension.
   tension.points = petals(rose, largest, false), shear.points = petals(rose, largest, true);
   Series directions{"", Mark::text, Role::frame};
   directions.points = {{1.08, 0.0, nan, nan, "0°"}, {0.0, 1.02, nan, nan, "90°"}};
@@ -188,11 +196,13 @@ Panel panel_of(const RunRecord& run, const std::vector<Target>& table, const Run
     const double v = value_of(t, n.number);
     if (!std::isfinite(v)) continue;
     if (t.result.intact)
+      // Intact rock has no angle: a line across all of them.
       intact.points = {{0.0, n.factor * v}, {90.0, n.factor * v}};
     else
       model.points.push_back(
           {t.result.theta, n.factor * v, nan, nan, error_beside(v, laboratory_of(t.result.theta))});
   }
+  // Without a model's value a laboratory's alone would be no comparison.
   if (model.points.empty()) return panel;
   Series laboratory = laboratory_series();
   for (const Target& t : table)
@@ -209,6 +219,7 @@ Series series_of(const TestResult& r, Mark mark, int item) {
   Series s;
   s.mark = mark, s.item = item, s.number = static_cast<std::size_t>(std::max(0, item));
   s.role = r.intact ? Role::intact : Role::ordered;
+  // By the angle itself, so that 30 degrees has one colour in all figures.
   if (!r.intact) s.shade = part_of_ninety(r.theta);
   return s;
 }
@@ -232,7 +243,9 @@ Figure stress_strain_figure(const RunRecord& run) {
     panel.series.push_back(std::move(s)), labels.push_back(std::move(label));
   }
   for (std::size_t i = 0; i < run.tests.size(); ++i) add(panel, levels_of(run.tests[i], static_cast<int>(i)));
+  // Labels last, above all curves.
   add(panel, std::move(labels));
+  // Labels stand above the peaks, and the strongest would leave the picture.
   constexpr double room_for_labels = 1.12, room_at_the_end = 1.02;
   if (strongest > 0.0) panel.y.high = room_for_labels * strongest;
   if (farthest > 0.0) panel.x.high = room_at_the_end * farthest;
@@ -261,6 +274,7 @@ Figure modes_figure(const RunRecord& run) {
     const auto& cracks = run.tests[i].result.cracks;
     panel.x.names.push_back(short_label(run.tests[i].result));
     double below = 0.0;
+    // A specimen without cracks keeps its place, empty: 0 of 0 is no share.
     for (std::size_t kind = 0; kind < crack_names.size() && !cracks.empty(); ++kind) {
       const auto n = std::count_if(cracks.begin(), cracks.end(),
                                    [&](const CrackEvent& c) { return crack_kind(c) == kind; });
@@ -286,8 +300,10 @@ Figure anisotropy_figure(const RunRecord& run, const std::vector<Target>& labora
   const TestQuantity made_for = kind->curve.quantity();
   const std::vector<Target> table = beside(run, laboratory);
   const AngleCurve none;
+  // Jaeger's curve is of compression; the strength of another test has none.
   const bool axial = kind->property() == Property::ucs;
   Axis E = axis_of(Property::E);
+  // The laboratory's E may be another slope, and the axis must say which one the run has.
   E.quantity += ", tangent at 50 %";
   const RunNumber all[] = {{"E_tangent", E, measured(Property::E).shown.factor, Property::E, &curves.E},
                            {made_for.number, Axis{made_for.label, made_for.unit}, made_for.scale,
@@ -302,6 +318,7 @@ Figure anisotropy_figure(const RunRecord& run, const std::vector<Target>& labora
 }
 
 Figure two_curves_figure(const History& ours, const History& theirs, const std::string& their_name) {
+  // Uniaxial compression, the only curve that foreign files are read for.
   Panel panel = curve_panel(TestCurve{});
   const auto add_curve = [&](const History& h, const std::string& name, Role role) {
     Series s{name, Mark::line, role};

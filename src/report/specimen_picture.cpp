@@ -32,6 +32,7 @@ std::vector<std::size_t> tones_of(const SpecimenRecord& t) {
     }
   }
   for (const SceneLink& l : t.scene.links)
+    // After the layers: joints are seen on top.
     if (l.kind == ContactKind::joint) tone[l.a] = tone[l.b] = 2;
   return tone;
 }
@@ -45,8 +46,10 @@ std::vector<Vec2> displacements(const Scene& scene, double strain, double sign) 
   const auto& frames = scene.frames;
   std::size_t after = 0;
   while (after + 1 < frames.size() && sign * frames[after].axial_strain < strain) ++after;
+  // Frames are few; between them discs move on straight lines.
   const Frame &a = frames[after == 0 ? 0 : after - 1], &b = frames[after];
   const double start = sign * a.axial_strain, span = sign * b.axial_strain - start;
+  // One frame alone, or two of one strain, shows itself.
   const double part = span > 0.0 ? std::clamp((strain - start) / span, 0.0, 1.0) : 1.0;
   std::vector<Vec2> u;
   for (std::size_t i = 0; i < scene.discs.size(); ++i)
@@ -63,6 +66,7 @@ Color darker(Color c, double part) {
 }
 
 void draw_disc(Canvas& canvas, Vec2 at, double r, Color color) {
+  // A rim within four pixels would be blurred into a darker disc.
   if (r < 4.0) return canvas.disc(at.x, at.y, r, color);
   canvas.disc(at.x, at.y, r, darker(color, 0.76));
   canvas.disc(at.x, at.y, 0.88 * r, color);
@@ -88,9 +92,12 @@ void draw_specimen(Canvas& canvas, const SpecimenRecord& test, const SpecimenVie
   }
   for (const CrackEvent& c : test.result.cracks) {
     if (!view.cracks || sign * c.strain > strain) break;  // ordered by step
+    // Files may be damaged or edited, and a picture must not read beyond its discs.
     if (c.a >= at.size() || c.b >= at.size()) continue;
+    // The contact lies where the discs touch, not midway between their centres.
     const double part = scene.discs[c.a].r / (scene.discs[c.a].r + scene.discs[c.b].r);
     const Vec2 middle = (1.0 - part) * at[c.a] + part * at[c.b];
+    // Never thinner than can be seen: cracks matter more than their true size.
     const double half = std::max(thinnest, 0.6 * view.scale * c.size);
     const Vec2 along{half * c.normal.y, half * c.normal.x};  // across the normal; y of pixels points down
     canvas.line(middle + along, middle - along, std::max(thinnest, 0.25 * view.scale * c.size),

@@ -40,6 +40,7 @@ bool is_marked(const TestResult& r, const Number& n) {
   if (!has_strength(r.outcome.status)) return false;
   const std::vector<QualityMark> marks = quality_marks(r.numbers);
   return std::any_of(marks.begin(), marks.end(), [&](const QualityMark& m) {
+    // A measure of the whole test speaks in the column of quality; a star at every number would say nothing.
     return !m.limit->of.empty() && m.limit->speaks_of(n.name);
   });
 }
@@ -66,6 +67,7 @@ Column label(const Results& results) {
   Column angles = column_of("theta", "deg", results, [](const TestResult& r) {
     return r.intact ? "intact" : fmt::format("{:g}", r.theta);
   });
+  // Two specimens of one angle would be two rows that nobody can tell apart.
   if (std::set<std::string>(angles.cells.begin(), angles.cells.end()).size() == results.size()) return angles;
   Column names = column_of("specimen", "", results, [](const TestResult& r) { return r.name; });
   names.left = true;
@@ -76,6 +78,7 @@ Columns curve_columns(const Results& results) {
   Columns columns;
   const TestKind kind = results.empty() ? TestKind() : results.front().kind;
   for (const TableColumn& c : kind->table) columns.push_back(reading(results, c));
+  // The balance of energy stands beside every result: it is the first thing that a wrong step spoils.
   columns.push_back(reading(results, {"energy", "error", "energy_error", 1.0, 5}));
   return columns;
 }
@@ -111,12 +114,15 @@ std::string missing_numbers(const Results& results) {
   std::vector<std::pair<std::string, std::string>> reported;  // reason, tests
   for (const TestResult& r : results) {
     for (const Number& n : r.numbers) {
+      // Thresholds of damage lack for physical reasons that a reader will ask for; of others the outcome
+      // tells.
       const bool missing = (n.name == "sigma_ci" || n.name == "sigma_ci_strain" || n.name == "sigma_cd") &&
                            !std::isfinite(n.value);
       if (!has_strength(r.outcome.status) || (!missing && !has_reservation(r, n))) continue;
       const std::string reason = head_of(r, n) + (missing ? " -: " : " *: ") + n.note;
       const auto it =
           std::find_if(reported.begin(), reported.end(), [&](const auto& t) { return t.first == reason; });
+      // Reasons are mostly common to all angles: one line with the names.
       if (it == reported.end())
         reported.emplace_back(reason, r.name);
       else

@@ -19,6 +19,7 @@ constexpr int axis_columns = 8;  // characters for the numbers of the y axis, it
 /// Characters of a text in UTF-8.
 int length_of(const std::string& text) {
   return static_cast<int>(std::count_if(
+      // Bytes 10xxxxxx continue a letter.
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
@@ -35,19 +36,23 @@ class Dots {
   void put(int x, int y, Color color) {  // from the lower left corner
     if (x < 0 || y < 0 || x >= width() || y >= height()) return;
     Cell& cell = cells_[index(rows_ - 1 - y / 4, x / 2)];
+    // A terminal has one colour per character, so that the last curve wins.
     cell.dots |= bit(x, y), cell.color = color;
   }
   /// Characters in place of dots, about a dot.
   void write(int x, int y, const std::string& text, Color color) {
     const int row = std::clamp(rows_ - 1 - y / 4, 0, rows_ - 1), length = length_of(text);
+    // A label at the edge is moved inwards, never cut.
     int column = std::clamp(x / 2 - length / 2, 0, std::max(0, columns_ - length));
     for (std::size_t i = 0; i < text.size() && column < columns_; ++column) {
+      // At least one byte: damaged UTF-8 must not make an endless loop.
       const std::size_t n = std::max<std::size_t>(1, utf8_length(std::string_view(text).substr(i)));
       cells_[index(row, column)] = {0, color, text.substr(i, n)};
       i += n;
     }
   }
   static unsigned bit(int x, int y) {  // of a character
+    // Unicode numbers the dots of Braille column by column, the lowest row behind: 7 and 8.
     constexpr std::array<std::array<unsigned, 2>, 4> bits = {
         {{0x40, 0x80}, {0x04, 0x20}, {0x02, 0x10}, {0x01, 0x08}}};
     return bits[static_cast<std::size_t>(y % 4)][static_cast<std::size_t>(x % 2)];
@@ -60,6 +65,7 @@ class Dots {
     std::string text;
     for (int i = 0; i < columns_; ++i) {
       const Cell& cell = cells_[index(row, i)];
+      // A blank and no empty Braille pattern, which some fonts draw as circles.
       if (cell.dots == 0 && cell.letter.empty()) {
         text += ' ';
         continue;
@@ -70,6 +76,7 @@ class Dots {
     return text;
   }
   static std::string in_color(const std::string& text, Color c) {
+    // 24-bit colours: the sixteen of a terminal are too few for an order of angles.
     return fmt::format("\033[38;2;{};{};{}m{}\033[0m", c >> 16U & 255U, c >> 8U & 255U, c & 255U, text);
   }
 
@@ -96,6 +103,7 @@ class Places {
   }
   int of(double v) const {
     const double part = span_ > 0.0 ? (scaled(v) - low_) / span_ : 0.0;
+    // One dot outside, which put() leaves out; farther would overflow the int.
     return static_cast<int>(std::lround(std::clamp(part * (n_ - 1), -1.0, static_cast<double>(n_))));
   }
 
@@ -119,6 +127,7 @@ bool is_inked(std::size_t number, int x, int y) {
 
 /// How a series looks where it is seen alone; points are letters, by their order in the key.
 std::string sign_of(const Series& s, const std::vector<const Series*>& key) {
+  // Symbols that differ most without colour come first.
   constexpr std::string_view letters = "ox+*#%&@";
   const auto before =
       std::find_if(key.begin(), key.end(), [&](const Series* k) { return k->name == s.name; });
@@ -152,6 +161,7 @@ class Pen {
       const Point* before = i == 0 ? nullptr : &s.points[i - 1];
       if (before != nullptr && (s.mark == Mark::line || s.mark == Mark::area))
         line({before->x, before->y}, {p.x, p.y}, up);
+      // Upper edges alone: a filled band would hide the curves of one colour.
       if (before != nullptr && s.mark == Mark::band) line({before->x, before->high}, {p.x, p.high}, up);
       if (s.mark == Mark::text && known({p.x, p.y})) dots_.write(x_.of(p.x), up.of(p.y), p.text, color_);
       if (s.mark == Mark::dots) line({p.x, p.y}, {p.x, p.y}, up);
@@ -171,6 +181,7 @@ class Pen {
     if (!known(a) || !known(b)) return;
     const int x0 = x_.of(a.x), x1 = x_.of(b.x), y0 = up.of(a.y), y1 = up.of(b.y);
     const int n = std::max({1, std::abs(x1 - x0), std::abs(y1 - y0)});
+    // Integers, so that a line is the same on every machine.
     for (int k = 0; k <= n; ++k) dots_.put(x0 + (x1 - x0) * k / n, y0 + (y1 - y0) * k / n, color_);
   }
   void box(const Series& s, const Point& p, const Places& up) {
@@ -203,6 +214,7 @@ std::vector<std::string> legend(const Panel& panel, int columns, bool colored) {
   const auto add = [&](const std::string& text, const std::string& shown) {
     const int length = length_of(text) + 2;
     if (used > 0 && used + length > columns) lines.emplace_back(), used = 0;
+    // A name longer than the terminal would be broken by it, and push the picture out of place.
     if (length > columns) return;
     lines.back() += "  " + shown, used += length;
   };
@@ -226,6 +238,7 @@ std::vector<std::string> legend(const Panel& panel, int columns, bool colored) {
 std::vector<std::string> terminal_plot(const Panel& panel, int columns, int rows, bool colored) {
   PHY_CHECK(rows >= 6 && columns >= 30, "room for a plot");
   std::vector<std::string> names = legend(panel, columns, colored);
+  // Many series must not leave the picture without rows: the key gives way.
   names.resize(std::min<std::size_t>(names.size(), static_cast<std::size_t>(rows - 5)));
   const int inner = rows - 2 - static_cast<int>(names.size());
   Dots dots(columns - axis_columns, inner);

@@ -46,6 +46,8 @@ class Means {
   void add(double x, const Summary& s, double factor) {
     if (s.n == 0) return;
     means_.points.push_back(point_of(x, s, factor));
+    // The standard deviation of two values is their distance over sqrt 2, so each lies sd/sqrt 2 from the
+    // mean.
     const double apart = factor * s.sd / std::numbers::sqrt2;  // from the mean
     if (s.n == 2)
       pairs_.push_back({x, factor * s.mean - apart}), pairs_.push_back({x, factor * s.mean + apart});
@@ -54,7 +56,10 @@ class Means {
   /// `joined`: by a line, a guide to the eye.
   void add_to(Panel& panel, bool joined) const {
     Series line = means_;
-    line.name.clear(), line.mark = Mark::line, line.number = 0;
+    // Without a name: the key has the symbols, and a line beside each would say it twice.
+    line.name.clear(), line.mark = Mark::line;
+    if (line.role == Role::ordered) line.number = 0;  // dashes are of fitted lines
+    // Without bars, which belong to the symbols.
     for (Point& p : line.points) p = {p.x, p.y};
     if (joined) panel.series.push_back(line);
     if (!pairs_.empty()) panel.series.push_back(pairs_of(means_, pairs_));
@@ -72,6 +77,7 @@ void add_regressions(Panel& panel, const Variation& v, const VariedParameter& p,
     if (line.number != number || line.key != p.key) continue;
     Series s{line.source, Mark::line, Role::others};
     for (const VariedSetting& setting : p.settings)
+      // Only at values that were tried: a regression of others holds on their range at best.
       s.points.push_back({setting.factor, 1e-9 * (line.slope * setting.value + line.intercept)});
     panel.series.push_back(s);
   }
@@ -97,6 +103,7 @@ Panel macro_panel(const Variation& v, Summary MacroPoint::*number, const std::st
       if ((m.*number).n > 0) low = std::fmin(low, (m.*number).mean), high = std::fmax(high, (m.*number).mean);
     }
     if (means.empty()) continue;
+    // Numbers choose symbols; a parameter without points should not use one up.
     ++n;
     means.add_to(panel, true);
     add_regressions(panel, v, p, name);
@@ -112,6 +119,7 @@ std::string common_unit(const VariedParameter& p) {
   std::string unit;
   for (const VariedSetting& s : p.settings) {
     const std::string own = s.text.substr(std::min(s.text.find(' '), s.text.size()));
+    // Then each value keeps its own in the key.
     if (&s != &p.settings.front() && own != unit) return "";
     unit = own;
   }
@@ -138,6 +146,7 @@ Panel angle_panel(const Variation& v, const VariedParameter& p, bool modulus) {
     const VariedSetting& setting = p.settings[i];
     Series look{setting.text.substr(0, setting.text.size() - unit.size()) + (setting.base ? " (base)" : ""),
                 Mark::points, Role::ordered, i};
+    // A single value has no place in an order: the middle.
     look.shade = last > 0.0 ? static_cast<double>(i) / last : 0.5, look.strong = setting.base;
     Means means(look);
     for (const AngleValue& a : modulus ? setting.E : setting.ucs)
@@ -194,6 +203,7 @@ Figure modulus_figure(const Variation& v) {
   std::vector<const VariedParameter*> stiffnesses, all;
   for (const VariedParameter& p : v.parameters) {
     all.push_back(&p);
+    // The paper's figure shows these two; E hardly depends on strengths and friction.
     if (p.key == "bedding.k_n" || p.key == "bedding.k_s") stiffnesses.push_back(&p);
   }
   return over_angles(v, stiffnesses.empty() ? all : stiffnesses, true);

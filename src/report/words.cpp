@@ -9,13 +9,15 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/text_table.hpp"
 
 namespace phy::report {
 namespace {
 
 std::map<FindingKind, Wording> all_words() {
   std::map<FindingKind, Wording> all;
-  for (const auto* list : {&words_of_table(), &words_of_maps(), &words_of_calibration(), &words_of_course()})
+  for (const auto* list :
+       {&words_of_table(), &words_of_maps(), &words_of_calibration(), &words_of_notes(), &words_of_course()})
     for (const Wording& w : *list) all[w.kind] = w;
   return all;
 }
@@ -115,12 +117,7 @@ std::string counted_text(double n, const std::string& noun) {
   return fmt::format("{:.0f} {}{}", n, noun, n == 1.0 ? "" : "s");
 }
 
-std::string list_text(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
-  return text;
-}
+std::string list_text(const std::vector<std::string>& items) { return joined_text(items, ", ", " and "); }
 
 std::string at_text(const std::vector<double>& angles) {
   std::vector<std::string> items;

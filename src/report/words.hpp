@@ -61,6 +61,15 @@ std::string test_text(const Cell& cell);
 std::string cells_text(const std::vector<Cell>& cells);
 /// "a, b and c".
 std::string list_text(const std::vector<std::string>& items);
+/// "48.0 MPa in the model and 51.4 MPa in the table", by "model" and "laboratory" of the finding.
+std::string both_text(const Finding& finding);
+/// Options as the command line spells them, whoever calibrates: "--effort", "--effort normal".
+std::string option_text(const std::string& word);
+std::string option_text(const std::string& word, const std::string& value);
+/// How a user asks for a rival model, by the last two names.
+std::string options_of_rival(const Finding& finding);
+/// What allows all points of a usual search, or of a search that had them, more.
+std::string options_of_search(const Finding& finding);
 
 // ---- the lists of sentences
 
@@ -74,6 +83,7 @@ const std::vector<Wording>& words_of_table();
 const std::vector<Wording>& words_of_maps();
 std::string advice_of_table(Advice advice, const Finding& of);
 const std::vector<Wording>& words_of_calibration();
+const std::vector<Wording>& words_of_notes();
 const std::vector<Wording>& words_of_course();
 
 }  // namespace phy::report

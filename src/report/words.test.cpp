@@ -112,7 +112,7 @@ TEST(Words, NotesOfTheWay) {
                        {"more", 0.0}},
                       {},
                       Advice::longer_search}),
-            "The search was short (60 tests in compression by 2 models), and its estimate had not settled.");
+            "The search ended before its estimate had settled (60 tests in compression by 2 models).");
   EXPECT_EQ(sentence({Kind::search_short,
                       {},
                       {{"tests", 60.0},
@@ -143,6 +143,13 @@ Finding counts(double values, double met, double missed, double open, double alo
            {"open", open},
            {"alone", alone},
            {"by_chance", 0.05 * values}}};
+}
+
+TEST(Words, ALoneValueIsNamedAsOne) {
+  EXPECT_EQ(sentence({Kind::tests_met, {{Property::nu, 0.0}}, {{"of", 1.0}}}),
+            "nu at 0 degrees, its only value in the table.");
+  EXPECT_EQ(sentence({Kind::tests_alone, {{Property::nu, 0.0}}, {{"of", 4.0}}}),
+            "nu at 0 degrees, the only value met.");
 }
 
 TEST(Words, TheVerdictOfARockThatIsMet) {
@@ -294,7 +301,9 @@ TEST(Words, EveryKindOfACalibrationHasItsSentence) {
 }
 
 TEST(Words, EverySentenceIsAsShortAsTheHouseAsks) {
-  for (const Wording& w : words_of_calibration()) {
+  std::vector<Wording> all = words_of_calibration();
+  all.insert(all.end(), words_of_notes().begin(), words_of_notes().end());
+  for (const Wording& w : all) {
     std::istringstream text(sentence(specimen_of(w.kind)));
     std::size_t n = 0;
     for (std::string word; text >> word;) {

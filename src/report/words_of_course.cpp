@@ -16,18 +16,24 @@ std::string batch(F f) {
       counted_text(f.number("tests"), "test"), f.number("coarse") > 0.0 ? ", on coarse grains" : "");
 }
 
+std::string expected(F f) {
+  const std::string tests = range_text(f.number("least_tests"), f.number("most_tests"), "{:.0f}");
+  const double others = f.number("models") - 1.0;
+  const std::string text = fmt::format("A calibration{} takes {} tests, {} on this machine ({}).",
+                                       others > 0.0 ? " by one model" : "", tests == "0" ? "no" : tests,
+                                       duration_text(f.number("least_seconds"), f.number("most_seconds")),
+                                       counted_text(f.number("threads"), "thread"));
+  return others > 0.0
+             ? text + fmt::format(" Where it ends out of reach, up to {} may follow, each about as long.",
+                                  counted_text(others, "more model"))
+             : text;
+}
+
 }  // namespace
 
 const std::vector<Wording>& words_of_course() {
   static const std::vector<Wording> list = {
-      {Kind::course_expected,
-       [](F f) {
-         const std::string tests = range_text(f.number("least_tests"), f.number("most_tests"), "{:.0f}");
-         return fmt::format("A calibration takes {} tests, {} on this machine ({}).",
-                            tests == "0" ? "no" : tests,
-                            duration_text(f.number("least_seconds"), f.number("most_seconds")),
-                            counted_text(f.number("threads"), "thread"));
-       }},
+      {Kind::course_expected, expected},
       {Kind::course_models, [](F) -> std::string { return "Comparing the models of the rock"; }},
       {Kind::course_model,
        [](F f) { return fmt::format("Out of reach with {1}; now trying {0}", f.names[0], f.names[1]); }},

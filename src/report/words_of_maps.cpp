@@ -26,7 +26,7 @@ std::string errors_by_property(F f) {
   return list_text(items);
 }
 
-std::string forecast(F f, const char* end) {
+std::string forecast(F f, const std::string& end) {
   return fmt::format("Forecast with {}: a calibration will probably {}. Expected errors (rms): {}.",
                      f.names.front(), end, errors_by_property(f));
 }
@@ -45,7 +45,12 @@ std::string ratio(F f) {
 
 const std::vector<Wording> forecasts = {
     {Kind::forecast_calibrated, [](F f) { return forecast(f, "end calibrated, or with few exceptions"); }},
-    {Kind::forecast_excepted, [](F f) { return forecast(f, "miss some values of the table"); }},
+    {Kind::forecast_excepted,
+     [](F f) {
+       return forecast(f, f.cells.empty()
+                              ? "miss some values of the table"
+                              : "miss values of the table that contradict others: " + cells_text(f.cells));
+     }},
     {Kind::forecast_unresolved,
      [](F f) { return forecast(f, "meet the table, with too few specimens to show it"); }},
     {Kind::forecast_out_of_reach, [](F f) { return forecast(f, "end out of reach"); }},
@@ -85,7 +90,7 @@ const std::vector<Wording>& words_of_maps() {
          [](F f) {
            return fmt::format(
                "Of {:.0f} mapped specimens with {} the nearest misses the table by {} (rms, "
-               "scales free).",
+               "its moduli and its strengths scaled to the table).",
                f.number("specimens"), f.names.front(), percent_text(f.number("error")));
          }},
         {Kind::map_ratio, ratio},

@@ -116,6 +116,16 @@ std::string replicates_apart(F f) {
              lines[1], f.number("factor"));
 }
 
+/// "Lines 3 and 9 are the same: UCS at 30 degrees."
+std::string rows_repeated(F f) {
+  const std::vector<double> lines = each(f, "line"), copies = each(f, "copy");
+  std::vector<std::string> pairs;
+  for (std::size_t i = 0; i < std::min(lines.size(), most_named); ++i)
+    pairs.push_back(fmt::format("{:.0f} and {:.0f}", lines[i], copies[i]));
+  if (lines.size() > most_named) pairs.push_back(fmt::format("{} more pairs", lines.size() - most_named));
+  return say(f, "Lines {} hold the same values ({}).", fmt::join(pairs, ", "), cells_text(f.cells));
+}
+
 std::string unusual_scatter(F f) {
   return say(f, "The SD of {} (line {:.0f}) is {:.2g} % of the value; hardly any rock scatters so {}.",
              name_of(f.cells[0]), f.number("line"), 100.0 * f.number("share"),
@@ -296,12 +306,14 @@ std::string no_layered_body(F f) {
   const char* which = f.kind == Kind::no_layered_body ? "Farthest from the nearest body:"
                       : f.cells.size() > 1            ? "By the other cells the odd one out is any of:"
                                                       : "By the other cells the odd one out is";
+  const std::string moduli = f.advice == Advice::check_nu ? "E and nu" : "E";
   return say(
-      f,
-      "No layered elastic body has this E{} within the errors: chi-square is {:.0f}, and above {:.0f} in "
-      "1 % of tables. {} {}.{}",
-      f.advice == Advice::check_nu ? " and nu" : "", f.number("chi_square"), f.number("limit"), which,
-      misfits(f), reading_of(f));
+      f, "{}: chi-square is {:.0f}, and above {:.0f} in 1 % of tables. {} {}.{}",
+      f.has("at_small_strain")
+          ? fmt::format("Taken back to small strain, {} of the table belong to no layered elastic body",
+                        moduli)
+          : fmt::format("No layered elastic body has this {} within the errors", moduli),
+      f.number("chi_square"), f.number("limit"), which, misfits(f), reading_of(f));
 }
 
 std::string no_planes(F f) {
@@ -345,6 +357,7 @@ const std::vector<Wording> doubts = {
     {Kind::off_envelope, off_envelope},
     {Kind::narrow_angles, narrow_angles},
     {Kind::replicates_apart, replicates_apart},
+    {Kind::rows_repeated, rows_repeated},
     {Kind::unusual_scatter, unusual_scatter},
     {Kind::outlying_specimen, outlying_specimen},
     {Kind::outlying_cell, outlying_cell},
@@ -409,6 +422,7 @@ std::string advice_of_table(Advice advice, F of) {
     case Advice::check_pressures: return "check pressures and angles";
     case Advice::check_envelope: return "check that c and phi are of this angle, and of peaks";
     case Advice::check_lines: return "check for a typing error, or another rock";
+    case Advice::delete_copies: return "delete the copy, unless another specimen had these values";
     case Advice::rename_angles:
       return fmt::format("rename the column to {}, or keep it and ignore this",
                          of.number("from_load") > 0.0 ? "theta" : "beta");
@@ -435,8 +449,14 @@ std::string nearest_rock(F f) {
   for (std::size_t i = 0; i < f.cells.size(); ++i)
     items.push_back(fmt::format("{} by {} (curves differ by {:.0f} %)", f.names[2 * i],
                                 to_string(f.cells[i].property), 100.0 * differences[i]));
-  return text + fmt::format("Nearest in shape of the {} rocks: {}. See: phyllite rocks {}.",
-                            same.empty() ? "measured" : "other measured", list_text(items), f.names[1]);
+  std::vector<std::string> commands;
+  for (std::size_t i = 0; i < f.cells.size(); ++i)
+    if (std::string one = "phyllite rocks " + f.names[2 * i + 1];
+        std::ranges::find(commands, one) == commands.end())
+      commands.push_back(std::move(one));
+  return text + fmt::format("Nearest in shape of the {} rocks: {}. See: {}.",
+                            same.empty() ? "measured" : "other measured", list_text(items),
+                            list_text(commands));
 }
 
 const std::vector<Wording>& words_in_short() {

@@ -18,69 +18,18 @@ using Kind = FindingKind;
 /// A finding that has all that any kind may ask for: two cells, every number once for each.
 Finding with_everything(Kind kind) {
   Finding f{kind, {{Property::E, 0.0, 0.0}, {Property::E, 90.0, 5e6}}, {}, {"E", "UCS", "E", "UCS"}};
-  for (const char* name : {"value",
-                           "least",
-                           "most",
-                           "from",
-                           "to",
-                           "laboratory",
-                           "envelope",
-                           "factor",
-                           "line",
-                           "share",
-                           "mean",
-                           "others",
-                           "t",
-                           "chance",
-                           "off",
-                           "errors",
-                           "from_load",
-                           "exchanged",
-                           "as_read",
-                           "complement",
-                           "E",
-                           "K_n_delta",
-                           "K_s_delta",
-                           "se_E",
-                           "se_K_n_delta",
-                           "se_K_s_delta",
-                           "R2",
-                           "spacing",
-                           "least_E",
-                           "theta",
-                           "c_w",
-                           "phi_w",
-                           "shoulders",
-                           "rms",
-                           "of",
-                           "wanted",
-                           "chi_square",
-                           "limit",
-                           "change",
-                           "grains",
-                           "radius",
-                           "fewest",
-                           "with_nu",
-                           "low",
-                           "high",
-                           "least_n",
-                           "most_n",
-                           "angles",
-                           "doubts",
-                           "batch",
-                           "points",
-                           "tests",
-                           "at_estimate",
-                           "coarse",
-                           "round",
-                           "packings",
-                           "difference",
-                           "solutions",
-                           "least_tests",
-                           "most_tests",
-                           "least_seconds",
-                           "most_seconds",
-                           "threads"})
+  for (
+      const char* name :
+      {"value",    "least",      "most",       "from",        "to",           "laboratory",    "envelope",
+       "factor",   "line",       "copy",       "share",       "mean",         "others",        "t",
+       "chance",   "off",        "errors",     "from_load",   "exchanged",    "as_read",       "complement",
+       "E",        "K_n_delta",  "K_s_delta",  "se_E",        "se_K_n_delta", "se_K_s_delta",  "R2",
+       "spacing",  "least_E",    "theta",      "c_w",         "phi_w",        "shoulders",     "rms",
+       "of",       "wanted",     "chi_square", "limit",       "change",       "grains",        "radius",
+       "fewest",   "with_nu",    "low",        "high",        "least_n",      "most_n",        "angles",
+       "doubts",   "batch",      "points",     "tests",       "at_estimate",  "coarse",        "round",
+       "packings", "difference", "solutions",  "least_tests", "most_tests",   "least_seconds", "most_seconds",
+       "threads",  "models"})
     f.numbers.insert(f.numbers.end(), {{name, 1.0}, {name, 1.0}});
   f.numbers.push_back({"ratio", 1.0});  // of a pair of cells
   return f;
@@ -145,6 +94,17 @@ TEST(WordsOfTable, ARockWithoutBeddingHasNoAngle) {
   EXPECT_EQ(sentence(f).substr(0, 42), "Outlier? Line 23: UCS at 45 degrees is 63.");
 }
 
+TEST(WordsOfTable, RowsThatStandTwiceAreNamedByTheirLines) {
+  EXPECT_EQ(
+      sentence({Kind::rows_repeated,
+                {{Property::ucs, 30.0}, {Property::ucs, 45.0}},
+                {{"line", 3}, {"copy", 9}, {"line", 4}, {"copy", 10}},
+                {},
+                Advice::delete_copies}),
+      "Lines 3 and 9, 4 and 10 hold the same values (UCS at 30 and 45 degrees). Delete the copy, unless "
+      "another specimen had these values.");
+}
+
 TEST(WordsOfTable, AnglesAreAskedForByTheirName) {
   Finding f{Kind::angles_exchanged,
             {},
@@ -194,6 +154,21 @@ TEST(WordsOfTable, TheCellThatBelongsToNoBodyIsNamedWithWhatTheOthersWant) {
       "No layered elastic body has this E and nu within the errors: chi-square is 80, and above 23 in 1 % of "
       "tables. By the other cells the odd one out is nu at 0 degrees, 0.060 in place of 0.150 (9.0 standard "
       "errors). Check how nu was measured (it counts in the plane of load and dip), or leave it out.");
+}
+
+TEST(WordsOfTable, ModuliThatAreNotTheTablesOwnAreNamedSo) {
+  const std::string text = sentence({Kind::no_layered_body,
+                                     {{Property::E, 0.0}},
+                                     {{"laboratory", 43e9},
+                                      {"wanted", 36e9},
+                                      {"errors", 6},
+                                      {"chi_square", 211},
+                                      {"limit", 23},
+                                      {"at_small_strain", 1}},
+                                     {},
+                                     Advice::check_nu});
+  EXPECT_EQ(text.substr(0, text.find(':')),
+            "Taken back to small strain, E and nu of the table belong to no layered elastic body");
 }
 
 }  // namespace

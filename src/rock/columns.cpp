@@ -14,6 +14,7 @@ namespace {
 
 std::string bare(std::string_view s, std::string_view of = " \t") { return std::string(trimmed(s, of)); }
 
+// Longer tails are sentences, and each of their words would be looked up.
 constexpr std::size_t most_of_a_unit = 40;  // letters
 
 /// The program's word for a unit; nothing for what is none.
@@ -32,6 +33,7 @@ constexpr const char* closings = "])}";
 
 /// The bracket that closes the one at `open`; where none does, the first that closes any.
 std::size_t closing(const std::string& cell, std::size_t open) {
+  // Units of toughness hold brackets themselves: "(MPa sqrt(m))".
   int depth = 0;
   for (std::size_t at = open; at < cell.size(); ++at) {
     if (std::string_view(opening).find(cell[at]) != std::string_view::npos) ++depth;
@@ -59,6 +61,7 @@ std::string joined_units(const std::string& first, const std::string& second) {
   if (second.empty() || second == "-" || second == "1") return first;
   if (is_power(first)) return power_of(first) + second;
   if (is_power(second)) return power_of(second) + first;
+  // No unit has that name, so that the header is asked about, with both in view.
   return first + " and " + second;
 }
 
@@ -72,6 +75,7 @@ std::string take_units(std::string cell, std::string& unit) {
     // "(1)" counts specimens, "[1]" is a unit.
     const bool counts = inside.empty() || inside == "-" || (inside == "1" && cell[open] == '[');
     if (inside == "1" ? !counts : known.empty() && !counts) {
+      // What is no unit stays in the title, where readings_of() looks at it.
       ++open;
       continue;
     }
@@ -88,6 +92,7 @@ bool take_name(const std::string& key, Head& h) {
     h.deviatoric = h.name == "deviator";
     return true;
   }
+  // Names of the list go before composed ones: "E50" is a header of E, and says no reading.
   const auto reading = modulus_of(key);
   if (reading) h.kind = Column::value, h.property = Property::E, h.name = "E", h.E_is = reading;
   return reading.has_value();
@@ -110,6 +115,7 @@ std::pair<std::string, std::string> split_head(const std::string& header) {
   const char* const separators = "_ ,;:/";
   for (std::size_t at = cell.find_first_of(separators); at != cell.npos;
        at = cell.find_first_of(separators, at + 1))
+    // A separator at the very front leaves no name before the unit.
     if (at > 0 && cell.size() - at <= most_of_a_unit && is_toughness(cell.substr(at + 1)))
       return {bare(cell.substr(0, at), " \t_,;:/"), unit_word(cell.substr(at + 1))};
   std::string unit;
@@ -147,11 +153,14 @@ std::vector<std::string> readings_of(const std::string& title) {
   const std::size_t open = title.find_first_of("[("), close = title.find_first_of("])", open);
   if (open == title.npos || close == title.npos) return all;
   const std::string inside = title.substr(open + 1, close - open - 1), before = key_of(title.substr(0, open));
+  // A function of a value is not the value.
   if (contains(std::array{"log", "log10", "lg", "ln", "sqrt", "exp", "f", "sin", "cos", "tan"}, before))
     return all;
+  // Letters and not bytes: in UTF-8 a Greek letter has two.
   const std::size_t letters = static_cast<std::size_t>(std::count_if(
       inside.begin(), inside.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
   if (letters <= 2 || is_name(key_of(inside))) all.push_back(title.substr(0, open) + title.substr(close + 1));
+  // In brackets after the words stands their symbol: "compressive strength (UCS)".
   if (letters > 2) all.push_back(inside);
   return all;
 }
@@ -159,6 +168,7 @@ std::vector<std::string> readings_of(const std::string& title) {
 /// "UCS_sd", "SD of UCS", "UCS std. dev.": the rest of the name, or nothing.
 std::string without_scatter(const std::string& key) {
   for (const std::string word :
+       // The longest first: behind "std" a "dev" would be left over, and name nothing.
        {"standarddeviationof", "standarddeviation", "stddev", "stdev", "std", "sdof", "sd"}) {
     if (key.size() > word.size() && key.ends_with(word)) return key.substr(0, key.size() - word.size());
     if (key.size() > word.size() && key.starts_with(word)) return key.substr(word.size());
@@ -218,6 +228,7 @@ void take_odd_unit(const std::string& title, Head& h) {
 
 /// What tells specimens of one row apart: "2", "S2", "b", "specimen 2"; nothing for any other word.
 std::string replicate_mark(std::string_view key) {
+  // The longest first here too: "s" is the beginning of "sample".
   for (const std::string_view word : {"specimen", "sample", "test", "no", "nr", "s", "t"})
     if (key.starts_with(word) && key.size() > word.size()) {
       key.remove_prefix(word.size());
@@ -269,10 +280,12 @@ Head head_of(const std::string& cell, const std::string& meant) {
     h.speaks_of = subjects_of(h.title);
     return h;
   }
+  // From the plainest reading to the boldest: what one has understood no later one may turn.
   for (const std::string& reading : readings_of(said))
     if (h.kind == Column::other) take_reading(key_of(reading), h);
   if (h.kind == Column::other) take_angle(said, h);
   if (h.kind == Column::other) take_two_names(said, h);
+  // "SD 1" is made of others, and no first specimen.
   if (h.kind == Column::other && !h.summary) take_replicate(said, h);
   if (h.kind == Column::other && h.unit.empty()) take_odd_unit(said, h);
   h.summary = h.summary || is_summary(h.title);
@@ -289,6 +302,7 @@ bool has_factor(const std::string& title) {
   for (std::size_t at = title.find("10"); at != title.npos; at = title.find("10", at + 1)) {
     const std::string before = bare(title.substr(0, at));
     const std::string_view behind = std::string_view(title).substr(at + 2);
+    // A factor may tell what was done to the numbers or what is to be done: both are in use, so it is asked.
     if (before.ends_with('x') || before.ends_with('X') || before.ends_with('*') || before.ends_with("×") ||
         before.ends_with("·"))
       return true;

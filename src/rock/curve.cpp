@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t least_rows = 5;
 constexpr std::size_t most_listed = 12;  // columns in a message
+// Strains and stresses that the load does not act along: they must not be offered in place of the axial ones.
 constexpr std::array across = {"lateral", "radial",     "transvers", "circumferential",
                                "hoop",    "volumetric", "shear"};
 
@@ -36,6 +37,7 @@ struct Role {
 
 const std::vector<Role>& roles() {
   static const std::vector<Role> list = {
+      // The most certain name first: beside "axial_strain" a "strain" may be any other.
       {{"axial_strain", "strain", "epsilon", "ε", "epsilon_1", "ε_1", "ε₁"},
        Dimension::strain,
        "[1], [%] or [microstrain]",
@@ -76,6 +78,7 @@ struct CurveHead {
 CurveHead curve_head(const std::string& head) {
   CurveHead made;
   std::size_t end = head.find_first_of("[(");
+  // A header that begins with a bracket would have no name left.
   if (end == 0) end = head.npos;
   const std::size_t close = head.find_last_of("])"), tail = head.find_last_of(" ,");
   if (end != head.npos) {
@@ -124,6 +127,7 @@ class CurveReader {
   void take_row_of_units() {
     if (table_.rows.empty()) return;
     const io::TableRow row = table_.rows.front();
+    // 1 is a number and the unit of ratios: alone it decides nothing.
     const auto is_value = [](const std::string& cell) { return cell != "1" && io::looks_measured(cell); };
     const auto is_unit = [](const std::string& cell) {
       return !io::looks_measured(cell) && find_unit(bare(cell));
@@ -150,6 +154,7 @@ class CurveReader {
         for (std::size_t i = 0; cell == heads_.size() && i < heads_.size(); ++i)
           if (without_joints(heads_[i].name) == without_joints(name)) cell = i;
       if (cell == heads_.size()) {
+        // Only programs count cracks: the curve of a laboratory has none and is read all the same.
         if (role.dimension != Dimension::none) tell_missing(role);
       } else if (const auto factor = factor_of(heads_[cell].unit, role.dimension)) {
         columns_.push_back({&role, cell, *factor});
@@ -203,6 +208,7 @@ class CurveReader {
   }
 
   void read_rows() {
+    // One message per column: ten thousand cells of text are one mistake.
     std::vector<io::RepeatedProblem> bad(columns_.size());
     for (const io::TableRow& row : table_.rows) {
       HistoryRow r;
@@ -212,6 +218,7 @@ class CurveReader {
         const std::string& cell = row.cells[c.cell];
         double value = 0.0;
         const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+        // The whole cell, or "1,5" would be 1.
         if (error == std::errc() && end == cell.data() + cell.size() && std::isfinite(value))
           r.*(c.role->value) = c.factor * value;
         else
@@ -230,6 +237,7 @@ class CurveReader {
   void turn() {
     auto& rows = curve_.history.rows;
     const HistoryRow& top =
+        // At the largest stress both signs are certain; at the start noise and seating decide them.
         *std::max_element(rows.begin(), rows.end(), [](const HistoryRow& a, const HistoryRow& b) {
           return std::abs(a.axial_stress) < std::abs(b.axial_stress);
         });

@@ -36,6 +36,7 @@ bool is_degree(const std::string& text) {
 }  // namespace
 
 std::optional<double> direction_in_words(const std::string& cell, const std::string& header) {
+  // "30° to bedding" holds the word and another angle.
   if (cell.find_first_of("0123456789") != cell.npos) return {};
   const std::string key = lower_case(cell), head = lower_case(header);
   // "30° to parallel", "not parallel", "sub-parallel" say something else.
@@ -44,9 +45,11 @@ std::optional<double> direction_in_words(const std::string& cell, const std::str
   const bool across = holds_any(key, std::array{"perpend", "⊥", "_|_", "senkrecht", "перпенд", "垂直"});
   if (names_a_normal(head) || ((along || across) && names_a_normal(key))) return {};
   const bool normal = key.starts_with("normal to") || key == "normal" || key == "perp" || key == "perp.";
+  // Both words in one cell leave open which of them is about the load.
   if (along != (across || normal)) return along ? 90.0 : 0.0;
   const std::optional<bool> of_axis = names_an_axis(head);
   if (along || !of_axis || !is_upright_or_flat(cell)) return {};
+  // Upright layers lie along the load. An upright plug is drilled across layers that lie flat.
   return key.starts_with('v') != *of_axis ? 90.0 : 0.0;
 }
 

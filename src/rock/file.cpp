@@ -1,6 +1,7 @@
 #include "rock/file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 #include "rock/columns.hpp"
+#include "rock/schema.hpp"
 #include "rock/table.hpp"
 
 namespace phy::rock {
@@ -24,96 +26,7 @@ namespace {
 // Fewer angles cannot show a minimum between 0 and 90 degrees.
 constexpr std::size_t least_angles = 3;
 
-Field rock_key(FieldKind kind, const char* key, const char* meaning) {
-  Field f;
-  f.kind = kind, f.key = key, f.meaning = meaning;
-  return f;
-}
-
-/// A key of the recipe under another name: unit and range stand there.
-Field as_in_recipe(const char* path, const char* table, const char* key, const char* meaning) {
-  Field f = *find_field(recipe_fields(), path);
-  f.table = table, f.key = key, f.meaning = meaning, f.pfc_name.clear();
-  return f;
-}
-
-Field choice(const char* key, const char* meaning) { return rock_key(FieldKind::choice, key, meaning); }
-
-template <class Enum>
-std::vector<std::string> words_of_all(std::initializer_list<Enum> all) {
-  std::vector<std::string> words;
-  for (const Enum one : all) words.emplace_back(to_string(one));
-  return words;
-}
-
-Field without_default(Field f) {
-  f.default_text.clear();
-  return f;
-}
-
-Field column_key() {
-  Field f = rock_key(FieldKind::choice, "\"header\"",
-                     "what a column of the table holds, by its header; \"-\" passes it over");
-  f.table = "columns", f.choices = column_names(), f.choices.emplace_back("-");
-  return f;
-}
-
-const Fields& rock_fields() {
-  using K = FieldKind;
-  static const Fields fields = {
-      rock_key(K::text, "name", "name of the rock; default: the file's name"),
-      rock_key(K::text, "data", "table of tests (CSV, .xlsx, AGS 4), counted from the folder of this file"),
-      rock_key(K::text, "sheet",
-               "of a workbook, default: the first; of an AGS 4 file its group, default: RUCS"),
-      rock_key(K::text, "recipe",
-               "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
-               "[specimen]"),
-      choice("elastic_reading", "how moduli of cylinders are read in two dimensions")
-          .one_of({"plane stress", "plane strain"})
-          .by_default("\"plane stress\""),
-      choice("E_is",
-             "slope that the table's E is; with neither UCS nor E under confinement it is compared at small "
-             "strain")
-          .one_of(
-              words_of_all({ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
-                            ModulusReading::secant_at_peak, ModulusReading::small_strain}))
-          .by_default("\"tangent 50 %\""),
-      choice("layers",
-             "model of the layers: joints on planes, directions of the bonds, both, or rock bridges; "
-             "\"choose\": the best predictor")
-          .one_of(words_of_all({LayerModel::choose, LayerModel::planes, LayerModel::directions,
-                                LayerModel::planes_and_directions, LayerModel::planes_with_bridges}))
-          .by_default("\"choose\""),
-      choice(
-          "matrix",
-          "bonds of the grains; flat joints where UCS is many times the tension; with a recipe the recipe's")
-          .one_of({"choose", "parallel_bond", "flat_joint"})
-          .by_default("\"choose\""),
-      without_default(as_in_recipe(
-          "test.confining_stress", "", "confining",
-          "takes E and nu under this confining pressure alone; default: under all of the table")),
-      without_default(as_in_recipe(
-          "packing.radius_min", "", "grain_size",
-          "mean diameter of the model's grains; default: as many as in the paper's specimen. K_Ic is fitted "
-          "only with it or a recipe")),
-      without_default(
-          as_in_recipe("packing.seed", "", "first_packing",
-                       "seed of the first packing of the calibration; another one shows how far its result "
-                       "hangs on packings. Default: the recipe's, else 1")),
-      rock_key(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
-      as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
-      as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
-      as_in_recipe("bedding.spacing", "bedding", "spacing",
-                   "distance of the planes; default: in proportion to the paper's specimen"),
-      as_in_recipe("test.disc_diameter", "brazilian", "diameter",
-                   "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
-      as_in_recipe("test.loading_angle", "brazilian", "loading_angle", "arc of each jaw; 0: flat platens"),
-      column_key()};
-  return fields;
-}
-
-/// Bedding as calibrations predict it; bridges as they were mapped, by the crossing rule between parallel
-/// bonds.
+/// Bedding as calibrations predict it; bridges by the crossing rule alone, as they were mapped.
 bool is_ideal(const BeddingRecipe& b, const MatrixRecipe& m) {
   const bool bridged = b.rule == BeddingRule::crossing && !b.unjointed() &&
                        find_model(true, LayerModel::planes_with_bridges, m.model) != nullptr &&
@@ -143,6 +56,8 @@ class RockReader {
     rock_.model.bedding.resize(1);
     rock_.name = file_.name();
     const bool has_model =
+        // In this order: a size magnifies grains and planes, and what is stated of these stays as stated.
+        // Each builds on the one before, so the first failure ends it.
         read_recipe_file() && read_size() && read_grain_size() && read_layers() && read_matrix();
     read_disc();
     PackingRecipe& packing = rock_.model.packing;
@@ -191,7 +106,7 @@ class RockReader {
                      [&](const BeddingRecipe& b) { return is_ideal(b, recipe->matrix); }))
       good = refuse(
           "planes that are parallel and equally spaced, with joints of one strength, in one matrix; with "
-          "persistence below 1 (not 0) by rule = \"crossing\" between parallel bonds without directions",
+          "persistence below 1 (not 0) by rule = \"crossing\" between bonds without directions",
           "a calibration knows no other bedding: leave out rule = \"oriented\", bridges, spacing_sd, "
           "theta_sd, sigma_n_sd, layer_thickness, and persistence where its rule or matrix is another");
     if (!recipe->packing.file.empty())
@@ -235,22 +150,27 @@ class RockReader {
     rock_.matrix = rock_.model.matrix.model;
     if (is_given("matrix") || !is_given("recipe")) {
       const int asked = static_cast<int>(file_.number("matrix", 0.0));
+      // Nothing stands for "choose": models with either matrix are compared then.
       rock_.matrix.reset();
       if (asked > 0) rock_.matrix = static_cast<MatrixModel>(asked - 1);
     }
     const MatrixModel stays = rock_.matrix.value_or(rock_.model.matrix.model);
     if (of_parallel_bonds(rock_.layers) && stays == MatrixModel::flat_joint) {
       const char* key = is_given("matrix") ? "matrix" : "recipe";
-      problems_.push_back({file_.place(key), key, "flat joints with directions or bridges",
-                           "parallel bonds, where bonds have directions or planes have bridges",
-                           "choose matrix = \"parallel_bond\", or layers of whole planes alone"});
+      problems_.push_back(
+          {file_.place(key), key, fmt::format("flat joints, layers = \"{}\"", to_string(rock_.layers)),
+           "a model of rock that has both",
+           fmt::format("choose matrix = \"parallel_bond\", or layers that flat joints have: {}",
+                       fmt::join(layers_of_matrix(stays), ", "))});
     }
     return true;
   }
   /// Where the recipe says its size; of a recipe that says none its name.
   std::string place_of_size() const {
     const std::string file = file_.beside(file_.text("recipe", ""));
+    // A recipe that a caller holds stands in no file that could be opened.
     if (parts_.recipe) return file_.text("recipe", "");
+    // Problems of the recipe were told when it was read.
     std::vector<Problem> none;
     const io::TomlValue root = io::parse_toml(io::read_file(file), file, none);
     const io::TomlValue* specimen = root.find("specimen");
@@ -346,6 +266,7 @@ class RockReader {
     for (const Field& f : recipe_fields()) {
       if (f.kind != FieldKind::quantity && f.kind != FieldKind::number && f.kind != FieldKind::integer)
         continue;
+      // A rock without layers has no set, whose numbers could be asked.
       const std::size_t n = f.table == "bedding" ? rock_.model.bedding.size() : 1;
       for (std::size_t i = 0; i < n; ++i)
         if (!within_range(f, f.get(rock_.model, i)))
@@ -382,12 +303,14 @@ class RockReader {
     std::vector<Problem> of_grains = found, all = cross(true), others = cross(false);
     std::erase_if(of_grains, [&](const Problem& p) { return !about_grains(p.key); });
     std::erase_if(found, [&](const Problem& p) { return about_grains(p.key); });
+    // Both runs tell what they find in one order, so that whatever only the first has is about the grains.
     for (std::size_t i = 0, next = 0; i < all.size(); ++i)
       if (next < others.size() && to_line(all[i]) == to_line(others[next]))
         ++next;
       else
         of_grains.push_back(all[i]);
     std::move(others.begin(), others.end(), std::back_inserter(found));
+    // One of them is enough: the others follow from the same wrong size.
     if (!of_grains.empty()) found.push_back(problem_of_grains(of_grains.front()));
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
@@ -448,6 +371,7 @@ class RockReader {
     if (rock_.bedded && !has_angles)
       problems_.push_back(
           {table_, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
+    // An empty table, or a column that is asked for already, has a message of its own.
     else if (!rock_.readings.empty() && !has_angles && !is_given("bedded") && !readings.asked_for_angles)
       problems_.push_back(
           {table_, "", "", "",
@@ -465,11 +389,13 @@ class RockReader {
   /// Angles of a rock without bedding have no meaning: all rows become replicates.
   void take_layers_away(bool has_angles) {
     remove_layers(rock_.model), rock_.model.test.angles.clear();
+    // Under this word the list of models has rock without layers.
     rock_.layers = LayerModel::planes;
     for (const char* key : {"bedding.spacing", "layers"})
       if (is_given(key))
         problems_.push_back({file_.place(key), key, "", "a rock with bedding",
                              "the table has no angles, or bedded = false: leave it out"});
+    // Cells are told apart by the angle: left in, it would split one rock into several.
     for (RockReading& r : rock_.readings) r.theta = 0.0;
     const auto sheared = std::find_if(rock_.readings.begin(), rock_.readings.end(),
                                       [](const auto& r) { return measured(r.property).along_bedding; });
@@ -499,7 +425,7 @@ class RockReader {
   /// The headers that the file names, with our names for them.
   std::map<std::string, std::string> columns() {
     std::map<std::string, std::string> named;
-    const Field& field = *find_field(rock_fields(), "columns.\"header\"");
+    const Field& field = *find_field(rock_schema().fields, "columns.\"header\"");
     for (const io::TomlValue* table : file_.tables("columns"))
       for (std::size_t i = 0; i < table->keys.size(); ++i) {
         double choice = 0.0;
@@ -514,6 +440,8 @@ class RockReader {
   }
   /// A header may say what E is; the file may not say otherwise.
   void settle_E_is(const Readings& readings) {
+    // To some laboratories E50 is a tangent, to others a secant: the name tells nothing, so the choice is
+    // said.
     if (readings.E_title == "E50" && !is_given("E_is"))
       rock_.notes.push_back(
           fmt::format("E50 is taken as \"{}\"; a secant is E_is = \"secant 50 %\"", to_string(rock_.E_is)));
@@ -534,7 +462,9 @@ class RockReader {
     bool nu = false, E = false;
     std::set<Property> kept;  // of tests that no calibration does
     for (const RockReading& r : rock_.readings) {
+      // Direct shear stands at 0 by convention, which is no inclination that was tested.
       if (!measured(r.property).along_bedding) angles.insert(r.theta);
+      // Said, because such a row is a value of the table and yet not found in the result.
       if (r.confining > 0.0 && !measured(r.property).under_stress) kept.insert(r.property);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
     }
@@ -553,6 +483,7 @@ class RockReader {
       problems_.push_back({path_, "elastic_reading", "plane strain", "a column nu",
                            "plane strain cannot be converted without it"});
     // Converting plane strain readings uses nu, and too large a nu leaves no positive E.
+    // On the means, as they are fitted: one odd specimen does not spoil a cell.
     for (const Target& t : of_property(targets_of(rock_), Property::E))
       if (!(t.mean > 0.0))
         problems_.push_back({where, "nu", "", fmt::format("a nu that leaves E({:g}) positive", t.theta),
@@ -561,15 +492,6 @@ class RockReader {
 };
 
 }  // namespace
-
-const io::Schema& rock_schema() {
-  static const io::Schema schema{"rock",
-                                 "rock",
-                                 rock_fields(),
-                                 {},
-                                 "a key of the recipe: write it there, and recipe = \"model.toml\" here"};
-  return schema;
-}
 
 Rock read_rock(const std::string& path) {
   return parse_rock(io::read_user_file(path, rock_schema().name), path, {});

@@ -9,8 +9,6 @@
 
 namespace phy::rock {
 
-const io::Schema& rock_schema();
-
 /// Reads a rock file with its table and, where it names one, its recipe (both beside the rock file). Throws
 /// IoError, or InputError with every problem of all files.
 Rock read_rock(const std::string& path);

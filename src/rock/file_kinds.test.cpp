@@ -7,6 +7,7 @@
 #include "io/regressions.hpp"
 #include "io/toml_in.hpp"
 #include "rock/file.hpp"
+#include "rock/schema.hpp"
 
 namespace phy::rock {
 namespace {

@@ -51,6 +51,8 @@ class HeadsReader {
       : table_(table), keys_(keys), problems_(problems), notes_(notes) {}
 
   Heads read() {
+    // Rows of units first, since a bare SD takes the unit of the value before it. Names last, when it is
+    // known what each column is.
     name_heads();
     take_row_of_units();
     take_degree_signs();
@@ -104,6 +106,7 @@ class HeadsReader {
   /// our name.
   const std::pair<const std::string, std::string>* said_of(std::size_t i) const {
     if (const auto whole = keys_.columns.find(header(i)); whole != keys_.columns.end()) return &*whole;
+    // "UCS [MPa]" beside "UCS [psi]": without its unit the user's word would mean both.
     if (std::count(titles_.begin(), titles_.end(), titles_[i]) != 1) return nullptr;
     for (const auto& said : keys_.columns)
       if (title_of(said.first) == titles_[i]) return &said;
@@ -121,8 +124,11 @@ class HeadsReader {
       if (meant != nullptr) {
         used.insert(meant->first);
         if (h.replicate.empty()) said.insert(h.name);
+        // A unit in the rock file mends a header that has none, or one that cannot be read.
         const std::string unit = head_of(meant->first).unit;
         if (!unit.empty()) h.unit = unit;
+        // Also where the user has named the column: a factor that is passed over is a rock a thousand times
+        // as stiff.
         if (is_read(h) && has_factor(titles_[i]) && !unit.starts_with("10^")) ask_for_factor(i, h);
       }
       heads_.all.push_back(std::move(h));
@@ -166,6 +172,7 @@ class HeadsReader {
     for (std::size_t i = 0; i < heads_.all.size(); ++i) {
       if (heads_.all[i].kind != Column::n || by_user[i]) continue;
       const std::vector<std::string> cells = cells_of(i);
+      // Two rows may well stand for one and for two specimens.
       bool counts = cells.size() > 2;
       for (std::size_t k = 0; k < cells.size(); ++k) counts = counts && cells[k] == std::to_string(k + 1);
       if (counts)
@@ -184,6 +191,7 @@ class HeadsReader {
       const std::string& cell = row.cells[i];
       if (is_nothing(cell) || cell == "1") continue;
       const std::string unit = is_number(cell) ? "" : unit_of_cell(cell);
+      // A number is a value, so this is a row of the table and no row of units.
       if (unit.empty() && io::looks_measured(cell)) return false;
       ++(unit.empty() ? others : units);
     }
@@ -199,6 +207,7 @@ class HeadsReader {
       const std::string unit = is_nothing(cells[i]) ? "" : unit_of_cell(cells[i]);
       if (!unit.empty() && !h.unit.empty() && unit != h.unit)
         report_problem(header(i), cells[i], "one unit", "the row below the header has another: correct one");
+      // The header goes before the row: where both have one and differ, the message stands above.
       if (h.unit.empty()) h.unit = unit == "1" ? "" : unit;
       if (unit.empty() && !is_nothing(cells[i]) && is_read(h) && dimension_of(h) != Dimension::none)
         told_.insert(i), tell_unit(i, cells[i]);
@@ -210,6 +219,7 @@ class HeadsReader {
     for (std::size_t i = 0; i < heads_.all.size(); ++i) {
       Head& h = heads_.all[i];
       if (!h.is_angle() || !h.unit.empty()) continue;
+      // Where bare numbers stand beside them, their unit is still to be asked.
       if (!any_cell(i, is_number) && any_cell(i, [&](const auto& cell) { return is_direction(cell, i); }))
         h.unit = "deg";
     }
@@ -225,11 +235,13 @@ class HeadsReader {
       take_unmarked(name, columns);
       std::set<std::string> marks;
       for (const std::size_t i : columns) marks.insert(heads_.all[i].replicate);
+      // Specimens are counted from the first. "UCS 25" and "UCS 50" are sizes, temperatures, or ages.
       const bool begins = marks.contains("1") || marks.contains("01") || marks.contains("a");
       if (columns.size() > 1 && marks.size() == columns.size() && begins)
         take_replicates(name, columns);
       else
         for (const std::size_t i : columns)
+          // Not passed over: they speak of values, so that it is asked what they are.
           heads_.all[i].kind = Column::other, heads_.all[i].speaks_of.values = true;
     }
     for (std::size_t i = 0; i < heads_.all.size(); ++i) take_scatter_behind(i);
@@ -243,6 +255,7 @@ class HeadsReader {
         return std::any_of(columns.begin(), columns.end(),
                            [&](std::size_t k) { return heads_.all[k].replicate == mark; });
       };
+      // With a first specimen in the table an unmarked column is something else, a mean perhaps.
       if (!has("1") && has("2")) h.replicate = "1", columns.push_back(i);
     }
   }
@@ -268,6 +281,7 @@ class HeadsReader {
   void take_scatter_behind(std::size_t i) {
     if (i == 0 || heads_.all[i].kind != Column::other || !is_scatter(titles_[i])) return;
     const Head& value = heads_.all[i - 1];
+    // Behind specimens side by side an SD is that of all of them, and made of what is read anyway.
     if (value.kind != Column::value || !value.replicate.empty()) return;
     Head& h = heads_.all[i];
     h.kind = Column::scatter, h.property = value.property, h.name = value.name + "_sd";
@@ -278,6 +292,8 @@ class HeadsReader {
   void take_units_of_values() {
     for (Head& h : heads_.all)
       if (const auto value = heads_.find(Column::value, h.property);
+          // With brackets left in its title a unit was tried there and not understood: that is asked, not
+          // guessed.
           h.kind == Column::scatter && h.unit.empty() && value && base_title(h) == h.title)
         h.unit = heads_.all[*value].unit;
   }
@@ -368,6 +384,8 @@ class HeadsReader {
     if (h.speaks_of.angles && (!h.unit.empty() || any_cell(i, is_angle))) return true;
     if (needs_angles() && !h.unit.empty()) return true;
     if (!needs_angles() || !any_cell(i, is_angle)) return false;
+    // Bare numbers below a header that says nothing may be anything; signs of degrees or words of directions
+    // may not.
     return h.speaks_of.directions || (!all_cells(i, is_number) && all_cells(i, is_angle));
   }
   bool needs_angles() const { return !heads_.angles() && keys_.bedded != false; }
@@ -407,6 +425,7 @@ class HeadsReader {
   }
   /// Columns whose names speak of a direction and whose cells do not, in one question.
   void ask_for_layers() {
+    // One question about angles is enough: its answer settles the others, too.
     if (heads_.asked_for_angles || describe_layers_.empty()) return;
     heads_.asked_for_angles = true;
     report_problem(

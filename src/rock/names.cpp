@@ -11,6 +11,7 @@ namespace phy::rock {
 namespace {
 
 /// Words of angles, which count from the load in some laboratories, from the horizontal in others.
+/// Stems, which several languages share; "ngulo" is written with an accent in front, or without.
 constexpr std::array angle_words = {
     "angle", "orientation", "inclination", "bedding", "foliation", "schistosity", "theta",
     "beta",  "alpha",       "dip",         "winkel",  "neigung",   "倾角",        "傾角",
@@ -176,6 +177,7 @@ std::string lower_case(std::string_view text) {
     const auto add = [&](int first, int second) {
       lower += static_cast<char>(first), lower += static_cast<char>(second), ++i;
     };
+    // 0x97 is the sign of multiplication, which stands among the letters and has no lower case.
     if (c == 0xC3 && next >= 0x80 && next <= 0x9E && next != 0x97)
       add(c, next + 0x20);
     else if (c == 0xD0 && next >= 0x90 && next <= 0x9F)
@@ -202,6 +204,7 @@ std::string key_of(std::string_view text) {
       continue;
     }
     const auto c = static_cast<unsigned char>(name.front());
+    // Letters beyond ASCII stay as they are: names in other scripts are compared byte by byte.
     if (std::isalnum(c) != 0 || c >= 0x80) key += static_cast<char>(c);
     name.remove_prefix(1);
   }
@@ -248,12 +251,14 @@ Subjects subjects_of(const std::string& title) {
   const auto any_word = [&](const auto& is) { return std::any_of(words.begin(), words.end(), is); };
   const bool of_else = any_word([](const std::string& word) { return contains(other_words, word); });
   const bool named = any_word([](const std::string& word) {
+    // A single letter names something in every laboratory: "batch c" holds no cohesion.
     const Known* known = word.size() > 1 ? known_column(word) : nullptr;
     return (known != nullptr && known->kind == Column::value) || (word.size() > 1 && modulus_of(word));
   });
   const auto unit = find_unit(title);
   Subjects about;
   about.angles = (unit && unit->name == "deg") || (!of_else && holds_any(key, angle_words));
+  // Whatever may be an angle may be a direction: "bedding" stands above both.
   about.directions = about.angles || holds_any(key, direction_words);
   about.values = !of_else && (named || holds_any(key, value_words));
   return about;
@@ -272,6 +277,7 @@ const std::vector<std::string>& column_names() {
 }
 
 bool is_summary(const std::string& cell) {
+  // A longer cell is a remark, and one that begins with a digit a value.
   if (cell.empty() || cell.size() > 40 || std::isdigit(static_cast<unsigned char>(cell.front())) != 0)
     return false;
   constexpr std::array words = {"mean",

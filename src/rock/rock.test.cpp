@@ -6,6 +6,7 @@
 #include "io/table.hpp"
 #include "records/calibration.hpp"
 #include "rock/file_fixture.hpp"
+#include "rock/schema.hpp"
 #include "rock/template.hpp"
 #include "theory/envelope_fit.hpp"
 #include "theory/jaeger.hpp"
@@ -23,6 +24,18 @@ TEST_F(RockFile, DiscsHaveADiameterPerRowOrOneForAll) {
   EXPECT_DOUBLE_EQ(discs[0].diameter, 0.03);
   EXPECT_EQ(discs[1].diameter, 0.0);  // that of all
   EXPECT_DOUBLE_EQ(discs[2].diameter, 0.02);
+}
+
+// What the first page of a report says; a rock without the table says nothing there.
+TEST_F(RockFile, HeadOfAReport) {
+  const std::string more = "[report]\nauthor = \"A. N.\"\nproject = \"North tunnel\"\n";
+  EXPECT_EQ(rock(good, more).readings.size(), 6U);
+  const ReportHead head = report_head(at("r.toml"));
+  EXPECT_EQ(head.table, "r.csv");
+  EXPECT_THAT(head.lines,
+              ElementsAre(testing::Pair("project", "North tunnel"), testing::Pair("author", "A. N.")));
+  EXPECT_THAT(report_head(write("bare.toml", "data = \"r.csv\"\n")).lines, IsEmpty());
+  EXPECT_THAT(problems(good, "[report]\nauthr = \"A. N.\"\n"), Contains(HasSubstr("author")));
 }
 
 TEST_F(RockFile, ADiscLargerThanTheSpecimenOrAJawTooWideIsRefused) {

@@ -33,6 +33,7 @@ using Range = PossibleValues;
 Range range_of(const Head& h) {
   switch (h.kind) {
     case Column::theta:
+    // A specimen at 120 degrees is the mirror image of one at 60; left unfolded they would be two cells.
     case Column::beta: return {0.0, 90.0, "0 deg <= angle <= 90 deg"};
     case Column::n: return {1.0, 1e6, "a whole number of specimens, at least 1"};
     case Column::diameter: return {1e-3, 10.0, "1 mm <= diameter of the disc <= 10 m"};
@@ -65,6 +66,7 @@ class ReadingReader {
       const auto unit = find_unit(h.unit);
       const Dimension d = dimension_of(h);
       const bool bare = h.unit.empty() || h.unit == "-" || h.unit == "1";
+      // Told once with the header: a message for each cell below would bury it.
       has_unit_.push_back(d == Dimension::none ? bare : unit && unit->dimension == d);
     }
   }
@@ -142,7 +144,9 @@ class ReadingReader {
     const Head& h = heads_.all[column];
     const bool angle = h.is_angle();
     value = nan;
+    // Laboratories write a dash for what was not measured.
     if (row.cells[column].empty() || row.cells[column] == "-") return true;
+    // An angle or a stress over several rows holds for each of them, a strength for one specimen.
     if (row.merged.contains(column) && !angle && h.kind != Column::confining) {
       ++n_merged_;  // one value over several rows is one specimen's
       return true;
@@ -216,6 +220,7 @@ class ReadingReader {
     auto word = std::find_if(row.cells.begin(), row.cells.end(), is_summary);
     const auto name =
         std::find_if(row.cells.begin(), row.cells.end(), [](const auto& cell) { return !cell.empty(); });
+    // Longer words count in the first cell alone, where rows have their names.
     if (word == row.cells.end() && begins_summary(*name)) word = name;
     if (word != row.cells.end()) {
       problems_.push_back(
@@ -249,6 +254,7 @@ class ReadingReader {
     const Head& h = heads_.all[*column];
     r.theta = h.theta_of(v[*column]);
     if (!good || std::isfinite(r.theta)) return good;
+    // The box lays the bedding level, whatever it was in the core.
     if (is_shear_alone(v)) return r.theta = 0.0, true;
     problems_.push_back({at(r.line), h.name, "", "an angle in every row",
                          "give the layers of this specimen an angle, also where the row above has the same; "
@@ -284,6 +290,7 @@ class ReadingReader {
   void read_value(RockReading r, const std::vector<double>& v, std::size_t i, bool asked) {
     const Head& h = heads_.all[i];
     r.property = h.property, r.value = v[i] + (h.deviatoric ? r.confining : 0.0);
+    // A column n counts the specimens of the row; each of these columns has one of them.
     if (!h.replicate.empty()) r.n = 1;
     if (measured(r.property).along_bedding && !put_in_box(r, v)) return;
     if (measured(r.property).share != 1.0) r.diameter = 0.0;  // I_s(50) has been converted to 50 mm
@@ -294,9 +301,11 @@ class ReadingReader {
     if (is_compressive(r.property)) {
       const auto other =
           find(Column::value, r.property == Property::ucs ? Property::confined : Property::ucs);
+      // Told from the side of sigma_1 alone, or the same row would be told twice.
       if (r.property == Property::confined && other && std::isfinite(v[*other]))
         problems_.push_back({at(r.line), "sigma_1", "", "UCS or sigma_1 in a row, not both",
                              "they are the same number under `confining`: a row of its own for each test"});
+      // The stress on the sides says which of the two it is; laboratories use either name for both.
       r.property = r.confining > 0.0 ? Property::confined : Property::ucs;
     }
     const auto sd = find(Column::scatter, h.property);
@@ -315,6 +324,7 @@ class ReadingReader {
       const double angle = h.theta_of(r.theta);
       least = std::fmin(least, angle), most = std::fmax(most, angle);
     }
+    // A table of 0 alone is one inclination, in either unit.
     if (!(most > 0.0 && most < most_radians)) return;
     problems_.push_back(
         {at(table_.header_line), table_.header[*column], fmt::format("{:g} ... {:g} deg", least, most), "",
@@ -338,6 +348,7 @@ class ReadingReader {
                            "leave all four empty where no envelope was measured"});
       return;
     }
+    // Two tests fix a line without any error: three are the fewest from which one follows.
     const int n = std::max(least_of_envelope, r.n);
     const double spread = (to - from) * std::sqrt((n + 1.0) / (12.0 * (n - 1.0)));
     for (const double sigma_3 : {0.5 * (from + to) - spread, 0.5 * (from + to) + spread}) {
@@ -372,6 +383,7 @@ class ReadingReader {
         continue;
       Cell& cell = (r.property == Property::ucs ? ucs : initiation)[r.theta];
       if (cell.line == 0) cell.line = r.line;
+      // Means, not single rows: UCS of other specimens may lie below where cracks begin in this one.
       cell.sum += r.n * r.value, cell.n += r.n;
     }
     for (const auto& [theta, cell] : initiation) {
@@ -394,6 +406,7 @@ class ReadingReader {
     for (const RockReading& r : readings_) {
       if (r.property != Property::shear_residual) continue;
       const auto peak = std::find_if(readings_.begin(), readings_.end(), [&](const RockReading& other) {
+        // Of the same row, because friction and peak are read in one test, under one stress.
         return other.property == Property::shear_peak && other.line == r.line;
       });
       const std::string value = fmt::format("{:.4g} MPa", r.value * 1e-6);

@@ -48,6 +48,9 @@ height = "76 mm"
 # diameter = "38 mm"           # default: the smaller side of the specimen
 # loading_angle = "10 deg"     # arc of each jaw; "0 deg": flat platens
 
+# [report]                      # on the first page of the report
+# project = "..."              # also client, laboratory, author
+
 # [columns]                     # where `phyllite rock check` reads a header otherwise than it is meant
 # "peak stress" = "UCS"         # header = name; "-": passed over
 )";

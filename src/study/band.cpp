@@ -27,8 +27,10 @@ struct Gathered {
 double quantile(const std::vector<double>& means, double sd, double p) {
   constexpr double widest = 8.0, narrowest = 1e-9;
   constexpr int halvings = 100;
+  // Without a spread the mixture is made of steps: a thin one keeps the halving defined.
   const double width = std::max(sd, narrowest);
   const auto [least, most] = std::minmax_element(means.begin(), means.end());
+  // Eight standard deviations leave 1e-15 outside; a hundred halvings end at the last digit.
   double low = *least - widest * width, high = *most + widest * width;
   for (int i = 0; i < halvings; ++i) {
     const double x = 0.5 * (low + high);
@@ -51,6 +53,7 @@ void add_rock(Gathered& g) {
   if (logs.empty()) return;
   const auto at = [&](double p) { return std::exp(quantile(logs, g.missed_sd, p)); };
   g.band.factor = std::exp(sum / n), g.band.factor_sd = g.missed_sd;
+  // As much outside on either side as beyond the smallest and the largest of n draws: the two bands compare.
   g.band.rock_low = at(1.0 / (n + 1.0)), g.band.rock = at(0.5), g.band.rock_high = at(n / (n + 1.0));
 }
 

@@ -45,6 +45,7 @@ class Collected {
  public:
   void add(const std::string& name, const std::string& unit, double value) {
     for (auto& [known, of, values] : all_)
+      // A handful of names, looked up a few times per replicate.
       if (known == name) return values.push_back(value);
     // In the order in which names first appear, which becomes the order of columns; a map would sort them.
     all_.push_back({name, unit, {value}});
@@ -285,6 +286,7 @@ std::vector<ElementaryEffect> elementary_effects(const std::vector<Point>& point
     // moved < 0 begins a new walk; differences are taken within a walk only.
     if (points[i].moved < 0 || !std::isfinite(y[i]) || !std::isfinite(y[i - 1])) continue;
     const auto k = static_cast<std::size_t>(points[i].moved);
+    // By the direction of the step, or walks up and walks down would cancel.
     const double sign = points[i].values[k] > points[i - 1].values[k] ? 1.0 : -1.0;
     effects[k].push_back(sign * (y[i] - y[i - 1]) / morris_step);
   }

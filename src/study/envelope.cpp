@@ -84,6 +84,7 @@ std::optional<analysis::StrengthRule> rule_of(const TestResult& result) {
 Recipe confined_recipe(Recipe recipe, double confining_stress) {
   recipe.test.kind = TestKind("biaxial");
   recipe.test.confining_stress = confining_stress;
+  // Only the uniaxial press can start loaded (records/recipe_checks.cpp).
   recipe.test.pre_strain = 0.0;
   return recipe;
 }
@@ -91,6 +92,7 @@ Recipe confined_recipe(Recipe recipe, double confining_stress) {
 EnvelopeTests with_untrusted(EnvelopeTests tests) {
   for (auto& of_stress : tests.results)
     for (TestResult& r : of_stress)
+      // As if it had been good: what follows knows strengths by their status alone.
       if (r.outcome.status == Status::untrusted) r.outcome.status = Status::peaked;
   return tests;
 }

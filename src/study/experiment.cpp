@@ -61,6 +61,7 @@ std::string specimen_key(const Recipe& single) {
   // Everything that does not change a result is taken out, so that equal specimens have equal keys.
   Recipe r = single;
   r.name.clear();
+  // Pictures are taken between blocks and change nothing of what is measured.
   r.test.n_snapshots = r.test.n_frames = 0;
   r.test.intact = false;
   // Of no effect without directions.
@@ -85,6 +86,8 @@ std::vector<RecipeDifference> differences(const Recipe& one, const Recipe& other
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? a.bedding.size() : 1); ++i) {
       const std::string in_a = print_field(f, a, i), in_b = print_field(f, b, i);
+      // As they are printed: values that differ in their last bits alone would be shown as equal and called
+      // different.
       if (in_a == in_b) continue;
       all.push_back({of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path(), in_a, in_b});
     }

@@ -26,6 +26,8 @@ double slowness(int lanes, bool alike, Precision precision, engine::Isa isa) {
   struct Times {
     double two, four, eight, sixteen;  // lanes; 0: no such group (engine::lanes_of)
   };
+  // Measured with bench_engine (docs/decisions/0013): by `alike`, then by instruction set from SSE2 to
+  // AVX-512.
   constexpr Times singles[2][3] = {{{0.0, 3.0, 0.0, 0.0}, {0.0, 4.2, 4.7, 0.0}, {0.0, 4.6, 6.1, 7.6}},
                                    {{0.0, 2.0, 0.0, 0.0}, {0.0, 2.8, 2.7, 0.0}, {0.0, 3.3, 3.6, 4.7}}};
   constexpr Times doubles[2][3] = {{{1.5, 0.0, 0.0, 0.0}, {2.4, 2.8, 0.0, 0.0}, {2.9, 3.9, 5.7, 0.0}},

@@ -57,6 +57,7 @@ void make_batches(Plan& plan, const Shard& shard) {
   }
   std::size_t dealt = 0;
   for (Batch& batch : plan.batches) {
+    // A long test that begins last would keep one core busy while all others wait.
     std::stable_sort(batch.tests.begin(), batch.tests.end(),
                      [&](std::size_t a, std::size_t b) { return plan.tests[a].cost > plan.tests[b].cost; });
     // Deals after sorting: every shard gets long and short tests alike.

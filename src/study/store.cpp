@@ -166,7 +166,7 @@ constexpr std::size_t max_listed = 20;
       "{}: {} record(s) are not as this program stored them: changed by hand, or damaged. Restore the "
       "file from a copy, or remove them and run the study again: "
       "sqlite3 {} \"DELETE FROM specimen WHERE key IN ({})\"{}",
-      path, damaged.size(), sh_word(path), keys, list));
+      path, damaged.size(), shell_word(path), keys, list));
 }
 
 /// False if there was such a row already.
@@ -205,6 +205,7 @@ std::string hash_of(const std::vector<std::optional<StoredResult>>& rows) {
     if (row) sorted[row->key] = &row->result;
   Hash h;
   for (const auto& [key, result] : sorted) {
+    // Neither times nor hosts: the same study on another machine has the same fingerprint.
     h.add(key), h.add(std::string(to_string(result->outcome.status))), h.add(result->hash);
     for (const Number& n : result->numbers) h.add(n.name), h.add(n.value);
   }

@@ -243,6 +243,7 @@ class Reader {
     if (times != nullptr) read_times(f, *times, name + ".times");
     if (from != nullptr) read_range(f, table, name);
     const bool by_levels = study_.design == Design::one_at_a_time || study_.design == Design::full_factorial;
+    // A range has no levels; only designs that sample can take a point of it.
     if (by_levels && f.levels.empty() && from != nullptr && file_.is_known("design"))
       report_problem(*from, name, "values or times with this design",
                      "a range is for latin_hypercube, sobol, morris and saltelli");
@@ -354,6 +355,7 @@ class Reader {
     problems_.insert(problems_.end(), table.problems.begin(), table.problems.end());
     const std::vector<std::string> units = read_header(table, where);
     for (const io::TableRow& row : table.rows)
+      // A wrong unit in a header is wrong in every row.
       if (problems_.size() < max_problems) read_row(row, units, where);
   }
   std::vector<std::string> read_header(const io::Table& table, const std::string& file) {
@@ -433,6 +435,7 @@ class Reader {
     if (v == nullptr || study_.bond_seeds.size() < 2 || study_.solver != Solver::direct) return;
     bool drawn = moduli_are_drawn(study_.base);
     for (const Factor& f : study_.vary)
+      // A base without any of these may still get them from a factor.
       for (const char* key : {"bedding.persistence", "bedding.spacing_sd", "bedding.theta_sd",
                               "matrix.unbonded_fraction", "matrix.gapped_fraction"})
         drawn = drawn || (f.key.field != nullptr && f.key.field->path() == key);

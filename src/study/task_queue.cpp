@@ -59,6 +59,7 @@ Assignment PlanQueue::enter() {
   if (stopped()) return {};
   std::size_t batch = best_batch();
   bool elsewhere = false;
+  // Only when nothing waits: every claim that is looked at is a transaction of the store.
   if (batch == waiting_.size()) elsewhere = refresh_claims(), batch = best_batch();
   if (batch == waiting_.size())
     return {elsewhere ? Assignment::Kind::wait : Assignment::Kind::finished, 0, 0};

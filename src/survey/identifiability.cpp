@@ -46,12 +46,23 @@ double prior_sd(const Parameter& p) {
   return by_number(p) ? p.modulus->prior_sd : 0.5 * std::log(p.range.high / p.range.low);
 }
 
-/// E or nu (E by its logarithm) of a rock of which one number has moved by a small step.
+/// E or nu (E by its logarithm) of a rock of which one number has moved by a small step, with E where the
+/// parameter behind it moves that too.
 double moved(theory::JointedRock rock, const Parameter& p, double step, const Target& t) {
   double& number = rock.*number_of(p.modulus->acts_on);
   number = by_number(p) ? number + step : std::exp(std::log(number) + step);
+  if (by_number(p)) rock.E *= std::exp(-p.modulus->E_per_log / p.modulus->per_log * step);
   return t.property == Property::E ? std::log(theory::goodman_E(rock, t.theta))
                                    : theory::goodman_nu(rock, t.theta);
+}
+
+/// Chi-square of the nearest layered body per degree of freedom, 1 or more: moduli of a table that no body
+/// has are known no better than the nearest one fits.
+double misfit_of(const Evidence& evidence) {
+  if (!evidence.rock.bedded) return 1.0;
+  const theory::LayeredFit nearest =
+      theory::fit_layered(maps::layered_readings(evidence.moduli), theory::LayeredBody::any);
+  return std::max(1.0, nearest.chi_square / std::max(1, nearest.degrees_of_freedom));
 }
 
 /// Standard deviations that the table can give, of what the parameters act on; without E that of the prior
@@ -65,6 +76,7 @@ std::vector<double> expected_sd(const Evidence& evidence, const std::vector<cons
   Eigen::MatrixXd information =
       Eigen::Map<const Eigen::ArrayXd>(sd.data(), n).square().inverse().matrix().asDiagonal();
   const theory::JointedRock rock = first_rock(evidence);
+  const double misfit = misfit_of(evidence);
   for (const Target& t : evidence.moduli) {
     Eigen::VectorXd slope(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -72,7 +84,7 @@ std::vector<double> expected_sd(const Evidence& evidence, const std::vector<cons
       slope[i] = (moved(rock, p, h, t) - moved(rock, p, -h, t)) / (2.0 * h);
     }
     const double se = t.property == Property::E ? t.normal_error() / t.mean : t.normal_error();
-    information += slope * slope.transpose() / (se * se);
+    information += slope * slope.transpose() / (misfit * se * se);
   }
   const Eigen::VectorXd known = information.inverse().diagonal().cwiseSqrt();
   return {known.begin(), known.end()};

@@ -1,13 +1,13 @@
 #include "survey/outliers.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "base/nan.hpp"
+#include "base/stats.hpp"
 #include "records/calibration.hpp"
 #include "survey/cells.hpp"
 #include "theory/jaeger_fit.hpp"
@@ -50,10 +50,7 @@ struct Suspect {
   double t = 0.0;
   int degrees = 0;
   /// Of a |t| as large by chance, in one specimen.
-  double chance() const {
-    const boost::math::students_t distribution(degrees);
-    return 2.0 * boost::math::cdf(boost::math::complement(distribution, std::fabs(t)));
-  }
+  double chance() const { return student_t_chance(std::fabs(t), degrees); }
 };
 
 Suspect farthest_out(Property p, std::vector<Specimens>& cells) {

@@ -213,6 +213,28 @@ void doubt_replicates(const Rock& rock, Findings& found) {
   }
 }
 
+/// Rows that hold the same values of the same tests as a row above, pasted twice: they would count as further
+/// specimens.
+void doubt_repeated_rows(const Rock& rock, Findings& found) {
+  using Value = std::tuple<Property, double, double, double, double, double, int>;
+  std::map<int, std::vector<const RockReading*>> rows;
+  for (const RockReading& r : rock.readings)
+    if (!r.derived) rows[r.line].push_back(&r);
+  std::map<std::vector<Value>, int> first;
+  Finding f{FindingKind::rows_repeated, {}, {}, {}, Advice::delete_copies};
+  for (const auto& [line, row] : rows) {
+    std::vector<Value> values;
+    for (const RockReading* r : row)  // NaN is no value of a key
+      values.emplace_back(r->property, r->theta, r->confining, r->diameter, r->value,
+                          std::isfinite(r->sd) ? r->sd : -1.0, r->n);
+    const auto [above, fresh] = first.try_emplace(values, line);
+    if (fresh) continue;
+    f.numbers.insert(f.numbers.end(), {{"line", double(above->second)}, {"copy", double(line)}});
+    for (const RockReading* r : row) f.cells.push_back(cell_in(rock, *r));
+  }
+  if (!f.cells.empty()) found.push_back(std::move(f));
+}
+
 void doubt_scatter(const Rock& rock, Findings& found) {
   for (const RockReading& r : rock.readings)
     if (r.property != Property::nu && (r.sd > most_scatter * r.value || r.sd < least_scatter * r.value))
@@ -241,6 +263,7 @@ std::vector<Finding> unusual_values(const Rock& rock) {
   doubt_shear(rock, targets, found);
   doubt_confined(rock, targets, found);
   doubt_replicates(rock, found);
+  doubt_repeated_rows(rock, found);
   doubt_scatter(rock, found);
   return found;
 }

@@ -119,6 +119,20 @@ TEST(UnusualValues, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   EXPECT_THAT(unusual_values(rock), IsEmpty());
 }
 
+TEST(UnusualValues, RowsThatStandTwiceAreDoubted) {
+  Rock rock =
+      with({cell(Property::E, 0, 23e9, 2), cell(Property::ucs, 0, 100e6, 2), cell(Property::E, 90, 40e9, 3),
+            cell(Property::E, 0, 23e9, 4), cell(Property::ucs, 0, 100e6, 4)});
+  const auto twice = unusual_values(rock);
+  ASSERT_THAT(kinds(twice), ElementsAre(Kind::rows_repeated));
+  EXPECT_THAT(twice[0].numbers, ElementsAre(NamedNumber{"line", 2.0}, NamedNumber{"copy", 4.0}));
+  EXPECT_EQ(twice[0].cells, (std::vector<Cell>{{Property::E, 0.0}, {Property::ucs, 0.0}}));
+  rock.readings.back().value = 101e6;
+  EXPECT_THAT(unusual_values(rock), IsEmpty()) << "another specimen, of the same E";
+  rock.readings.back().value = 100e6, rock.readings[3].n = 3;
+  EXPECT_THAT(unusual_values(rock), IsEmpty()) << "of other specimens";
+}
+
 TEST(UnusualValues, AnSdBeyondEveryRockIsDoubted) {
   Rock rock = with({cell(Property::ucs, 0, 100e6, 2), cell(Property::ucs, 45, 60e6, 3)});
   rock.readings[0].n = rock.readings[1].n = 3;

@@ -12,6 +12,8 @@ struct TerminalSize {
 };
 bool is_terminal(int descriptor);
 TerminalSize terminal_size(int descriptor);
+/// Whether what people type commands into is a shell of POSIX.
+bool has_posix_shell();
 
 /// Before anything else is opened. Gives descriptors 0, 1 and 2 that came closed to nobody: the next file
 /// would get their number, and be printed into. A closed pipe is an error of writing from here on, no signal,

@@ -40,6 +40,8 @@ TerminalSize terminal_size(int descriptor) {
   return {size.ws_col, size.ws_row};
 }
 
+bool has_posix_shell() { return true; }
+
 // /dev/null the wrong way round: reading and writing fail as they would have on the closed descriptor.
 void guard_standard_streams() {
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

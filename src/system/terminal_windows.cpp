@@ -53,6 +53,8 @@ TerminalSize terminal_size(int descriptor) {
   return {w.Right - w.Left + 1, w.Bottom - w.Top + 1};
 }
 
+bool has_posix_shell() { return false; }
+
 // Bytes as they are, for consoles and files alike: UTF-8, lines that end as everywhere else, colours.
 void guard_standard_streams() {
   for (const int fd : {0, 1, 2}) ::_setmode(fd, _O_BINARY);

@@ -130,10 +130,11 @@ std::optional<Finding> gap_in_ucs(const View& v) {
   return {};
 }
 
-/// Of a search without all points of a usual one.
+/// Of a search without all points of a usual one, or that a longer one may bring nearer.
 std::optional<Finding> search_short(const View& v) {
   const Calibration& c = v.of;
-  if (!c.shortage.any()) return {};
+  const bool may_help = search_can_help(v);
+  if (!c.shortage.any() && !may_help) return {};
   return Finding{
       FindingKind::search_short,
       {},
@@ -144,7 +145,7 @@ std::optional<Finding> search_short(const View& v) {
        {"foreseen", c.shortage.foreseen ? 1.0 : 0.0},
        {"more", static_cast<double>(c.shortage.tests) * static_cast<double>(c.discarded.size() + 1)}},
       {},
-      search_can_help(v) ? Advice::longer_search : Advice::none};
+      may_help ? Advice::longer_search : Advice::none};
 }
 
 /// The step that an advice of a finding is.
@@ -235,8 +236,10 @@ void explain(Calibration& c) {
     case VerdictStatus::out_of_reach: explain_missed(view, verdict); break;
   }
   c.verdict = std::move(verdict);
-  // what a longer search would take is worth a note where it is no cause
-  if (const auto cut = search_short(view); cut && cut->advice == Advice::none) c.notes.push_back(*cut);
+  // What a longer search would take is worth a note where it is no cause; whether to search is the verdict's.
+  if (!c.shortage.any() || first_of(c.verdict.causes, FindingKind::search_short) != nullptr) return;
+  c.notes.push_back(*search_short(view));
+  c.notes.back().advice = Advice::none;
 }
 
 }  // namespace phy::verdict

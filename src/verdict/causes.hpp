@@ -29,8 +29,8 @@ CauseRule tension_ratio, initiation_ratio, grains_for_toughness;  // other stren
 /// What the maps expect the model to miss as well, where the part is farthest off.
 std::optional<Finding> expected_in_maps(const View& view, Part part);
 
-/// May a longer search come nearer? Where this one was short, its estimate had not settled, the forecast sees
-/// the table within reach, and the maps expect the model to miss the strengths by less than it does.
+/// May a longer search come nearer? Where this one had not settled, a longer one is left, the table is not
+/// out of reach, and the maps expect the model to miss the strengths by less than it does.
 bool search_can_help(const View& view);
 
 }  // namespace phy::verdict

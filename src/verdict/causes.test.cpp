@@ -203,6 +203,12 @@ TEST(Uses, TestsOfTheTableAndThoseThatItsParametersDecide) {
   const Finding* missed = first_of(c.verdict.not_good_for, Kind::tests_missed);
   ASSERT_NE(missed, nullptr);
   EXPECT_EQ(missed->cells, (std::vector<Cell>{{Property::ucs, 90.0}}));
+  const Calibration lone =
+      ended({cells(Property::ucs, {60, 50, 40, 62}, {90, 80, 40, 90})}, VerdictStatus::not_calibrated);
+  EXPECT_EQ(first_of(lone.verdict.good_for, Kind::tests_met), nullptr);
+  ASSERT_NE(first_of(lone.verdict.not_good_for, Kind::tests_alone), nullptr);
+  EXPECT_EQ(first_of(lone.verdict.not_good_for, Kind::tests_alone)->cells,
+            (std::vector<Cell>{{Property::ucs, 60.0}}));
   ParameterEstimate mu;
   mu.symbol = "mu";
   c.parameters = {mu};
@@ -375,8 +381,10 @@ TEST(Cause, ALongerSearchIsAdvisedOnlyWhereItCanComeNearer) {
   EXPECT_TRUE(advised(c)) << "the maps expect less of a miss";
   c.reach = {expected(45.0, 40e6, 46e6)};
   EXPECT_FALSE(advised(c)) << "they expect the same";
-  c.reach = {{Kind::forecast_out_of_reach}, expected(45.0, 40e6, 41e6)};
+  c.verdict.status = VerdictStatus::out_of_reach, c.reach = {expected(45.0, 40e6, 41e6)};
   EXPECT_FALSE(advised(c)) << "the table is none of this model's";
+  c.verdict.status = VerdictStatus::not_calibrated, c.shortage.of_tests = false, c.shortage.below_most = true;
+  EXPECT_TRUE(advised(c)) << "a usual search that a longer one may follow";
   c.reach.clear(), c.shortage.settled = true;
   EXPECT_FALSE(advised(c)) << "more tests would not move the estimate";
   c.shortage.settled = false;

@@ -34,7 +34,7 @@ std::optional<Finding> nu_of_no_body(const View& v) {
   if (!E || !nu) return {};
   const double off = std::fabs(std::log(nu->laboratory / E->laboratory));
   if (off <= z_99 * std::hypot(E->error_of_laboratory, nu->error_of_laboratory)) return {};
-  if (v.n_beyond(Property::nu) == 0) return {};
+  if (!v.misses_some(Property::nu)) return {};
   return Finding{
       FindingKind::nu_of_no_body, {}, {{"nu", nu->laboratory}, {"E", E->laboratory}}, {}, Advice::check_nu};
 }

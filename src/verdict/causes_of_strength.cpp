@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "records/evidence.hpp"
 #include "verdict/causes.hpp"
 #include "verdict/cells.hpp"
 #include "verdict/grain_size.hpp"
@@ -15,14 +16,17 @@ bool may_ask_for_flat_joints(const View& v) {
          !of_parallel_bonds(v.of.layers) && v.of.method == CalibrationMethod::posterior;
 }
 
-/// Planes that somebody asked for may have a better rival. Else what helps depends on whose chance the
-/// difference may be: the table's, that of the packings, nobody's.
+/// Planes that somebody asked for may have a better rival, where the table can compare them. Else what helps
+/// depends on whose chance the difference may be: the table's, that of the packings, nobody's.
 Advice advice_on_ucs(const View& v, bool table_is_certain, bool model_is_certain) {
-  if (!is_directed(v.of.layers) && !v.of.model_chosen) return Advice::choose_layers;
+  if (!is_directed(v.of.layers) && !v.of.model_chosen && shows_layers(v.strengths()))
+    return Advice::choose_layers;
   if (!table_is_certain) return Advice::more_specimens;
   if (!model_is_certain) return Advice::smaller_grains;
-  if (v.n_beyond(Property::ucs) < v.answered(Property::ucs).size()) return Advice::take_where_met;
-  return v.of.model_chosen                ? Advice::leave_out_ucs
+  if (v.meets_some(Property::ucs)) return Advice::take_where_met;
+  const Finding* maps = first_of(v.of.verdict.findings, FindingKind::nearest_in_maps);
+  const bool none_nearer = maps != nullptr && maps->advice == Advice::none;
+  return v.of.model_chosen || none_nearer ? Advice::leave_out_ucs
          : of_parallel_bonds(v.of.layers) ? Advice::other_layers
                                           : Advice::other_layers_or_matrix;
 }
@@ -166,8 +170,8 @@ std::optional<Finding> expected_in_maps(const View& v, Part part) {
 
 bool search_can_help(const View& v) {
   constexpr double times_nearer = 1.1;  // as other models are compared (maps/placing.hpp)
-  if (!v.of.shortage.any() || v.of.shortage.settled ||
-      first_of(v.of.reach, FindingKind::forecast_out_of_reach) != nullptr)
+  if (!v.of.shortage.may_be_longer() || v.of.shortage.settled ||
+      v.of.verdict.status == VerdictStatus::out_of_reach)
     return false;
   double missed = 0.0, expected = 0.0;
   bool beyond = false, mapped = false;

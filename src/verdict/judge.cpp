@@ -106,8 +106,8 @@ void report_ratios(const std::vector<Comparison>& verification, std::vector<Find
                             {{"model", u.mean / t.mean}, {"laboratory", u.target.mean / t.target.mean}}});
 }
 
-/// Are the strengths as a whole out of reach? With how far off they are.
-bool strengths_out_of_reach(const std::vector<Comparison>& verification, std::vector<Finding>& findings) {
+/// Are the strengths missed as a whole? With how far off they are.
+bool strengths_missed(const std::vector<Comparison>& verification, std::vector<Finding>& findings) {
   double squares = 0.0, scaled = 0.0;  // of the errors; of the errors over what chance explains
   int n = 0;
   for (const Comparison& c : verification) {
@@ -139,6 +139,17 @@ Finding counted(const std::vector<JudgedCell>& cells) {
            {"by_chance", chance_alone * values}}};
 }
 
+/// Do the maps expect as much of this model, wherever its parameters lie?
+bool missed_in_maps(const std::vector<Finding>& reach) {
+  if (first_of(reach, FindingKind::forecast_out_of_reach) == nullptr) return false;
+  double squares = 0.0;
+  int n = 0;
+  for (const Finding& f : reach)
+    if (f.kind == FindingKind::map_expected && is_strength(f.cells.front().property))
+      squares += std::pow(f.number("model") / f.number("laboratory") - 1.0, 2.0), ++n;
+  return n > 0 && std::sqrt(squares / n) > strength_limit;
+}
+
 bool moduli_unanswered(const std::vector<Comparison>& moduli) {
   return std::any_of(moduli.begin(), moduli.end(), [](const Comparison& c) { return !c.answered(); });
 }
@@ -167,15 +178,16 @@ Verdict judge(const Results& r) {
   v.findings.insert(v.findings.end(), r.of_search.begin(), r.of_search.end());
   report_missed(cells, v.findings);
   report_limits(r, cells, v.findings);
-  const bool strengths = strengths_out_of_reach(r.verification, v.findings);
+  const bool strengths = strengths_missed(r.verification, v.findings);
   report_open(cells, v.findings);
   const auto any = [&](auto is) { return std::any_of(cells.begin(), cells.end(), is); };
-  if (strengths || !r.of_search.empty() || moduli_unanswered(r.moduli) ||
+  if ((strengths && (r.search_settled || missed_in_maps(r.reach))) || !r.of_search.empty() ||
+      moduli_unanswered(r.moduli) ||
       any([](const JudgedCell& c) { return c.outcome == Outcome::unanswered; }) ||
       any([&](const JudgedCell& c) { return modulus_out_of_reach(c, row_of(r.moduli, c.row.target)); }))
     v.status = VerdictStatus::out_of_reach;
   else
-    v.status = status_of(cells);
+    v.status = strengths ? VerdictStatus::not_calibrated : status_of(cells);
   if (const auto unstated = scatter_unstated(cells); unstated && v.status == VerdictStatus::not_decided)
     v.findings.insert(v.findings.begin(), *unstated);
   return v;

@@ -230,5 +230,33 @@ TEST(Statistics, AStrengthThatIsFarOffIsNamed) {
   EXPECT_GE(percent(300, 0.20, three, names_the_miss), 95.0);
 }
 
+/// UCS at four angles, 30 % too high in the model; by the maps so much.
+Results strengths_missed(double in_maps) {
+  Results r;
+  r.reach = {{FindingKind::forecast_out_of_reach}};
+  for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
+    Comparison c;
+    c.target.theta = theta, c.target.property = Property::ucs;
+    c.target.mean = 100e6, c.target.sd = 4e6, c.target.n = 4;
+    c.mean = 130e6, c.sd = 2e6, c.n_packings = 5;
+    r.verification.push_back(c);
+    r.reach.push_back({FindingKind::map_expected,
+                       {cell_of(c.target)},
+                       {{"model", (1.0 + in_maps) * c.target.mean}, {"laboratory", c.target.mean}}});
+  }
+  return r;
+}
+
+TEST(Verdict, OutOfReachIsALimitOfTheModelAndNotOfItsSearch) {
+  Results r = strengths_missed(0.02);
+  EXPECT_EQ(judge(r).status, VerdictStatus::not_calibrated) << "E alone is out of reach in the maps";
+  EXPECT_NE(first_of(judge(r).findings, FindingKind::strengths_missed), nullptr);
+  r.search_settled = true;
+  EXPECT_EQ(judge(r).status, VerdictStatus::out_of_reach);
+  EXPECT_EQ(judge(strengths_missed(0.25)).status, VerdictStatus::out_of_reach) << "whatever the search";
+  r = strengths_missed(0.25), r.reach.front().kind = FindingKind::forecast_excepted;
+  EXPECT_EQ(judge(r).status, VerdictStatus::not_calibrated) << "the maps know little of such a table";
+}
+
 }  // namespace
 }  // namespace phy::verdict

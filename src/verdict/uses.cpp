@@ -38,7 +38,13 @@ void add_tests_of_table(const std::vector<JudgedCell>& cells, Verdict& v) {
       Finding f = cells_with(outcome, kind, cells, test);
       if (!f.cells.empty()) list.push_back(std::move(f));
     };
-    add(v.good_for, Outcome::met, FindingKind::tests_met);
+    Finding met = cells_with(Outcome::met, FindingKind::tests_met, cells, test);
+    if (met.cells.size() == 1 && met.number("of") > 1.0) {
+      met.kind = FindingKind::tests_alone;  // chance may have met it, and no other value says it has not
+      v.not_good_for.push_back(std::move(met));
+    } else if (!met.cells.empty()) {
+      v.good_for.push_back(std::move(met));
+    }
     add(v.not_good_for, Outcome::missed, FindingKind::tests_missed);
     add(v.not_good_for, Outcome::unanswered, FindingKind::tests_unanswered);
     add(v.not_good_for, Outcome::open, FindingKind::tests_open);
@@ -78,8 +84,8 @@ void state_uses(const Calibration& c, Verdict& v) {
     return any(
         [&](const JudgedCell& j) { return is_compressive(j.row.target.property) && j.outcome == outcome; });
   };
-  const bool met = v.status != VerdictStatus::out_of_reach && compression_is(Outcome::met) &&
-                   !compression_is(Outcome::missed);
+  const bool met =
+      !misses_table(v.status) && compression_is(Outcome::met) && !compression_is(Outcome::missed);
   if (!any([](const JudgedCell& j) { return j.row.target.property == Property::confined; }))
     add_other_test(measured(Property::confined).test_name, frictions, c, met, v);
   if (!any([](const JudgedCell& j) { return is_tensile(j.row.target.property); }))

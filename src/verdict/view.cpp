@@ -41,10 +41,23 @@ std::vector<Comparison> View::answered(Property p) const {
   return some;
 }
 
-std::size_t View::n_beyond(Property p) const {
-  return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const JudgedCell& c) {
+std::vector<Target> View::strengths() const {
+  std::vector<Target> all;
+  for (const JudgedCell& c : cells)
+    if (is_strength(c.row.target.property)) all.push_back(c.row.target);
+  return all;
+}
+
+bool View::misses_some(Property p) const {
+  return std::any_of(cells.begin(), cells.end(), [&](const JudgedCell& c) {
     return c.row.target.property == p && c.row.answered() && std::fabs(c.scaled_miss()) > 1.0;
-  }));
+  });
+}
+
+bool View::meets_some(Property p) const {
+  return std::any_of(cells.begin(), cells.end(), [&](const JudgedCell& c) {
+    return c.row.target.property == p && c.outcome == Outcome::met;
+  });
 }
 
 const Comparison* View::at(Property p, double theta) const {

@@ -32,12 +32,14 @@ struct View {
   /// With an answer, by angle as they come.
   std::vector<Comparison> answered(Property property) const;
   const Comparison* at(Property property, double theta) const;
+  std::vector<Target> strengths() const;  ///< of the table
   /// What the maps say of this cell; nullptr: nothing.
   const Finding* in_maps(FindingKind kind, const Target& target) const;
   /// Of a part the value farthest off; nullptr: none has an answer.
   const JudgedCell* farthest(Part part) const;
-  /// How many of its values are missed by more than passes by itself.
-  std::size_t n_beyond(Property property) const;
+  /// Is one of its values missed by more than passes by itself?
+  bool misses_some(Property property) const;
+  bool meets_some(Property property) const;
   bool moduli_alone() const;
   double share(Part part) const;
   /// Under one stress; nothing: the table lacks one of the two.

@@ -89,11 +89,11 @@ std::vector<Check> joint_strength() {
           {"residual shear force mu p A [N/m]", p.mu * N, -r.F_s, 1e-12}};
 }
 
-laws::parallel_bond::Parameters<double> bond(double r1, double r2, double tau, double beta) {
+laws::parallel_bond::Parameters<double> bond(double r1, double r2, double tau, double beta_bar) {
   // The geometry of the law itself: what is checked is strength, not stiffness.
   const auto g = laws::parallel_bond::geometry(1.0, r1, r2);
   const double kb = 38e9 / g.L;
-  return {kb * g.A, 0.3 * kb * g.A, kb * g.I, 3.0 * beta / g.R_bar, tau * g.A, 0.0, 0.0};
+  return {kb * g.A, 0.3 * kb * g.A, kb * g.I, 3.0 * beta_bar / g.R_bar, tau * g.A, 0.0, 0.0};
 }
 
 /// Drives a fresh bond along `d` (closure, slide, rotation per step) until it breaks; the motion of the last
@@ -112,8 +112,8 @@ laws::Motion<double> until_broken(const laws::parallel_bond::Parameters<double>&
 }
 
 std::vector<Check> bond_strength() {
-  const double r1 = 3e-4, r2 = 4e-4, sigma = 65e6, tau = 50e6, beta = 0.7;
-  const auto p = bond(r1, r2, tau, beta);
+  const double r1 = 3e-4, r2 = 4e-4, sigma = 65e6, tau = 50e6, beta_bar = 0.7;
+  const auto p = bond(r1, r2, tau, beta_bar);
   const double A = 2.0 * r1, L = r1 + r2, kb = 38e9 / L, I = 2.0 / 3.0 * r1 * r1 * r1;
   const auto pull = until_broken(p, sigma * A, {-1e-13, 0.0, 0.0, 0.0});
   const auto slide = until_broken(p, sigma * A, {0.0, 0.0, 1e-13 * 5, 0.0});
@@ -121,19 +121,19 @@ std::vector<Check> bond_strength() {
   // Tension and bending meet in the outer fibre, and only there.
   const auto both = until_broken(p, sigma * A, {-1e-13, 0.0, 0.0, 1e-9});
   const double N = -p.k_n * both.closure, M = p.k_m * both.rotation;
-  return {
-      {"elongation at tensile break sigma_c/kb_n [m]", sigma / kb, -pull.closure, 1e-6},
-      {"shear force at break tau_c A [N/m]", tau * A, p.k_s * slide.d_slide, 1e-5},
-      {"moment at break sigma_c I/(beta R_bar) [N]", sigma * I / (beta * r1), p.k_m * bend.rotation, 1e-5},
-      {"N/A + beta |M| R_bar/I at combined break [Pa]", sigma, N / A + beta * M * r1 / I, 1e-5}};
+  return {{"elongation at tensile break sigma_c/kb_n [m]", sigma / kb, -pull.closure, 1e-6},
+          {"shear force at break tau_c A [N/m]", tau * A, p.k_s * slide.d_slide, 1e-5},
+          {"moment at break sigma_c I/(beta_bar R_bar) [N]", sigma * I / (beta_bar * r1),
+           p.k_m * bend.rotation, 1e-5},
+          {"N/A + beta_bar |M| R_bar/I at combined break [Pa]", sigma, N / A + beta_bar * M * r1 / I, 1e-5}};
 }
 
 /// Speed with which a mass leaves a contact over the speed with which it came, by the leap-frog of the
 /// engine: speeds half a step behind positions. Normal: a central impact. Shear: half an oscillation on a
 /// contact that is pressed shut.
-double rebound(double beta, int mode, bool shear) {
+double rebound(double xi, int mode, bool shear) {
   const double k = 38e9, m_c = 4e-4, omega = std::sqrt(k / m_c), dt = 5e-7 / omega, v0 = 0.1;
-  const double c = laws::dashpot::coefficient(beta, m_c, k);
+  const double c = laws::dashpot::coefficient(xi, m_c, k);
   const laws::dashpot::Parameters<double> p{{k, k, 1.0 / k, huge}, c, c, 1.0 / dt, mode};
   laws::dashpot::State<double> s{0.0};
   double x = 0.0, v = v0;
@@ -150,16 +150,15 @@ double rebound(double beta, int mode, bool shear) {
 
 std::vector<Check> restitution() {
   std::vector<Check> checks;
-  for (const double beta : {0.05, 0.3}) {
-    const double root = std::sqrt(1.0 - beta * beta);
-    const double full = std::exp(-pi * beta / root);
-    const double until_force_ends = pi - std::atan2(2.0 * beta * root, 1.0 - 2.0 * beta * beta);
-    const std::string with = "beta = " + print_number(beta) + ": ";
-    checks.push_back(
-        {with + "restitution, mode 0, exp(-pi beta/s) [-]", full, rebound(beta, 0, false), 1e-6});
+  for (const double xi : {0.05, 0.3}) {
+    const double root = std::sqrt(1.0 - xi * xi);
+    const double full = std::exp(-pi * xi / root);
+    const double until_force_ends = pi - std::atan2(2.0 * xi * root, 1.0 - 2.0 * xi * xi);
+    const std::string with = "xi = " + print_number(xi) + ": ";
+    checks.push_back({with + "restitution, mode 0, exp(-pi xi/s) [-]", full, rebound(xi, 0, false), 1e-6});
     checks.push_back({with + "restitution, mode 1, contact ends at zero force [-]",
-                      std::exp(-beta / root * until_force_ends), rebound(beta, 1, false), 1e-6});
-    checks.push_back({with + "speed after half a shear oscillation [-]", full, rebound(beta, 0, true), 1e-6});
+                      std::exp(-xi / root * until_force_ends), rebound(xi, 1, false), 1e-6});
+    checks.push_back({with + "speed after half a shear oscillation [-]", full, rebound(xi, 0, true), 1e-6});
   }
   return checks;
 }

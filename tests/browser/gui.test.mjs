@@ -8,7 +8,7 @@ import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, startGui, stopGui, within } from "./pages.mjs";
+import { launch, showCommands, startGui, stopGui, within } from "./pages.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "phyllite-gui-"));
 const file = (name) => readFileSync(join(folder, name), "utf8");
@@ -44,7 +44,11 @@ async function open(context) {
   return tab;
 }
 
-const newContext = (options = {}) => browser.newContext({ viewport: { width: 1280, height: 900 }, permissions: ["clipboard-read", "clipboard-write"], ...options });
+const newContext = async (options = {}) => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, permissions: ["clipboard-read", "clipboard-write"], ...options });
+  await context.addInitScript(showCommands);
+  return context;
+};
 const button = (name, tab = page) => tab.getByRole("button", { name, exact: true });
 const box = (name, tab = page) => tab.getByRole("textbox", { name, exact: true });
 const shown = (text, options = {}) => page.getByText(text).first().waitFor(options);
@@ -267,6 +271,62 @@ test("a test on the calibrated rock is chosen, seen and saved as a recipe, run",
   await article.getByRole("link", { name: "Open the report of pulled" }).waitFor();
 });
 
+test("results stand beside laboratory and calibration, broken specimens can be seen", async () => {
+  const results = page.getByRole("region", { name: "Results", exact: true });
+  const over = results.getByRole("img", { name: /^tensile strength|^DTS|^direct tens/i });
+  await over.first().waitFor({ timeout: 20000 }); // no laboratory has it: a chart of its own
+  await results.getByRole("img", { name: "UCS [MPa], all results", exact: true }).waitFor();
+  await results.getByText("Curves of the tests").waitFor();
+  assert.equal(await results.getByText("Over the confining stress").isVisible(), false, "one stress alone was computed");
+  await results.getByRole("button", { name: "Show how they broke" }).click();
+  await results.getByRole("img", { name: "Specimens of pulled, broken" }).waitFor();
+  await results.locator(".cells .foot", { hasText: /MPa/ }).first().waitFor();
+  const [download] = await Promise.all([page.waitForEvent("download"), results.getByRole("button", { name: "Save Results of all tests as CSV" }).click()]);
+  assert.match(readFileSync(await download.path(), "utf8"), /pulled,0,.*MPa/);
+});
+
+test("the bedding is turned by hand and by keys; moduli follow by the direct solution; it can be pressed", async () => {
+  const check = page.getByRole("region", { name: "What the table says" });
+  const slider = check.getByRole("slider", { name: /^Bedding angle/ });
+  await slider.scrollIntoViewIfNeeded();
+  await slider.focus();
+  await page.keyboard.press("Home");
+  assert.equal(await slider.getAttribute("aria-valuetext"), "0 degrees");
+  await check.getByText("direct solution").first().waitFor({ timeout: 30000 });
+  const E = async () => (await check.locator(".readings").innerText()).match(/E\s+([\d.]+) GPa/)?.[1];
+  const flat = Number(await E());
+  const canvas = await check.getByRole("img", { name: "Specimen with its bedding" }).boundingBox();
+  await page.mouse.move(canvas.x + canvas.width / 2 + 5, canvas.y + canvas.height / 2 - 60);
+  await page.mouse.down();
+  await page.mouse.move(canvas.x + canvas.width / 2, canvas.y + canvas.height / 2 - 60);
+  await page.mouse.up();
+  assert.equal(await slider.getAttribute("aria-valuetext"), "90 degrees");
+  await within(30, async () => Number(await E()) > flat, "stiffer along the bedding");
+  await check.getByRole("button", { name: "Press it" }).click();
+  await page.getByRole("article", { name: "Test press-90-deg" }).getByText("Finished.").waitFor({ timeout: 120000 });
+});
+
+test("the bar says how far the rock has come", async () => {
+  const bar = page.getByRole("navigation", { name: "Sections" });
+  for (const text of [/Table\s*saved/, /Check\s*in order/, /Calibrate\s*(calibrated|not|out)/, /Test\s*2 tests made/]) await bar.getByRole("link", { name: text }).waitFor();
+});
+
+test("what was undone is done again", async () => {
+  const cellOf = cell("UCS [MPa]", 1);
+  const before = await cellOf.inputValue();
+  await cellOf.fill("99");
+  await button("Undo").click();
+  assert.equal(await cellOf.inputValue(), before);
+  await button("Redo").click();
+  assert.equal(await cellOf.inputValue(), "99");
+  await cellOf.focus();
+  await page.keyboard.press("Control+Z");
+  await page.keyboard.press("Control+Y");
+  assert.equal(await cellOf.inputValue(), "99");
+  await button("Discard changes").click();
+  await shown("slate: saved");
+});
+
 test("a wrong value of a recipe is said beside it", async () => {
   await page.getByLabel("Kind of test").selectOption({ label: "triaxial / confined (biaxial)" });
   const stress = page.getByRole("textbox", { name: "Confining stress [MPa]" });
@@ -299,11 +359,11 @@ test("light and dark, 390 to 1920 px: nothing sticks out", async () => {
 test("everything is reached by keyboard", async () => {
   const reached = new Set();
   await page.evaluate(() => document.activeElement.blur());
-  for (let i = 0; i < 150; ++i) {
+  for (let i = 0; i < 250; ++i) {
     await page.keyboard.press("Tab");
     reached.add(await page.evaluate(() => document.activeElement.labels?.[0]?.textContent || document.activeElement.getAttribute("aria-label") || document.activeElement.textContent.slice(0, 40)));
   }
-  for (const name of ["Light or dark", "Another rock", "Edit as text", "Insert row below", "Rock file as text", "Model of the layers", "Calibrate anew", "Open the report", "Kind of test", "Recipe", "Run the test"])
+  for (const name of ["Light or dark", "Another rock", "Edit as text", "Insert row below", "Rock file as text", "Model of the layers", "Bedding angle: drag it, or the planes", "Press it", "Commands and TOML", "Calibrate anew", "Open the report", "Kind of test", "Recipe", "Run the test"])
     assert.ok(reached.has(name), `${name} among ${[...reached].join(", ")}`);
 });
 

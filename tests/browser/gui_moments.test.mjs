@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { assertFocusIsSeen, launch, startGui, stopGui, within } from "./pages.mjs";
+import { assertFocusIsSeen, launch, showCommands, startGui, stopGui, within } from "./pages.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "phyllite-gui-"));
 const headings = "theta [deg];E [GPa];nu;UCS [MPa];DTS [MPa];specimen;depth of the core in the borehole;remark of the laboratory\n";
@@ -50,6 +50,7 @@ after(async () => {
 async function open({ changed, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, permissions: ["clipboard-read", "clipboard-write"], ...options });
   contexts.push(context);
+  await context.addInitScript(showCommands);
   const page = await context.newPage();
   page.setDefaultTimeout(15000);
   if (changed)

@@ -5,7 +5,7 @@ import { chmodSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, st
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { after, before, test } from "node:test";
-import { assertFocusIsSeen, launch, startGui, stopGui, within } from "./pages.mjs";
+import { assertFocusIsSeen, launch, showCommands, startGui, stopGui, within } from "./pages.mjs";
 
 const above = mkdtempSync(join(tmpdir(), "phyllite-start-"));
 const copied = "theta [deg]\tE [GPa]\tUCS [MPa]\r\n0\t8,9\t92,5\r\n45\t7,3\t56\r\n90\t53,6\t102,5\r\n";
@@ -23,7 +23,7 @@ after(async () => {
 });
 
 /** A folder of its own with a program in it, and a tab. */
-async function open({ files = {}, ...options } = {}) {
+async function open({ files = {}, commands = true, ...options } = {}) {
   const folder = mkdtempSync(join(above, "rocks-"));
   for (const [name, text] of Object.entries(files)) {
     mkdirSync(join(folder, name, ".."), { recursive: true });
@@ -33,6 +33,7 @@ async function open({ files = {}, ...options } = {}) {
   programs.push(started.program);
   const address = await started.address;
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, permissions: ["clipboard-read", "clipboard-write"], ...options });
+  if (commands) await context.addInitScript(showCommands);
   const page = await context.newPage();
   page.setDefaultTimeout(15000);
   page.trouble = [];
@@ -65,6 +66,48 @@ test("one click: a measured shale is calibrated, and breaks on the page", async 
   await page.getByRole("button", { name: "Stop", exact: true }).click();
   await page.getByText("Stopped; what is finished is kept.").first().waitFor({ timeout: 30000 });
   assert.deepEqual(page.trouble, []);
+  await close();
+});
+
+test("from an empty folder to a calibrated rock and a predicted confined strength in ten actions, by visible labels", async () => {
+  const { page, close } = await open({ commands: false, viewport: { width: 1280, height: 900 } });
+  let actions = 0;
+  const act = (done) => (++actions, done);
+  await act(page.getByRole("button", { name: "Try Boryeong shale" }).click());
+  await page.getByText("Finished.", { exact: true }).first().waitFor({ timeout: 540000 });
+  assert.equal(await page.getByText(/^phyllite /).filter({ visible: true }).count(), 0, "no command is in sight");
+  await act(page.getByRole("link", { name: /^Test/ }).click());
+  await act(page.getByLabel("Kind of test").selectOption({ label: "triaxial / confined (biaxial)" }));
+  await act(page.getByRole("textbox", { name: "Confining stress [MPa]" }).fill("10"));
+  await act(page.getByRole("textbox", { name: "Angles" }).fill("45"));
+  await act(page.getByRole("button", { name: "Run the test" }).click());
+  const test = page.getByRole("article", { name: /biaxial/ });
+  await test.getByText("Finished.").waitFor({ timeout: 300000 });
+  assert.match(await test.getByRole("table").innerText(), /\d MPa/);
+  await act(page.getByRole("link", { name: /^Results/ }).click());
+  await page.getByRole("img", { name: /σ_1.*all results/ }).first().waitFor({ timeout: 20000 });
+  assert.ok(actions <= 10, String(actions));
+  assert.deepEqual(page.trouble, []);
+  await close();
+});
+
+test("before a calibration its minutes, tests and errors are said; another grain size changes them", async () => {
+  const { page, file, close } = await open();
+  await page.getByRole("button", { name: "Begin with its table" }).click();
+  const calibration = page.getByRole("region", { name: "Calibration", exact: true });
+  await calibration.getByText("To be expected:").waitFor({ timeout: 30000 });
+  const effort = calibration.getByLabel("Effort of the search");
+  assert.match((await effort.locator("option").allInnerTexts()).join(), /quick: .*(s|min|h).*thorough: /);
+  const said = () => calibration.locator(".comes-to").innerText();
+  assert.match(await said(), /^\d+ to \d+ tests, /);
+  const before = await said();
+  await effort.selectOption("quick");
+  assert.notEqual(await said(), before);
+  const quick = await said();
+  await calibration.getByLabel("Grain size of the model [mm]").fill("1,66");
+  await within(20, async () => (await said()) !== quick);
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await within(10, () => /^grain_size = "1.66 mm"$/m.test(file("boryeong-shale.toml")));
   await close();
 });
 
@@ -144,7 +187,7 @@ test("rocks and tests have addresses: reload, another tab, Back", async () => {
   await close();
 });
 
-const finished = (status, ucs) => JSON.stringify({ format: 2, effort: "quick", verdict: { status, sentence: `The sentence of ${status}.`, lines: [], findings: [] }, errors: [{ of: "packings of the fit", UCS: 0.5 }, { of: "15 unseen packings", UCS: ucs, nu: 0.031 }] });
+const finished = (status, ucs) => JSON.stringify({ format: 2, rock: "slate", fitted: [], verification: [], left_out: [], effort: "quick", verdict: { status, sentence: `The sentence of ${status}.`, lines: [], findings: [] }, errors: [{ of: "packings of the fit", UCS: 0.5 }, { of: "15 unseen packings", UCS: ucs, nu: 0.031 }] });
 const model = `name = "slate"\n[specimen]\nwidth = "8 mm"\nheight = "16 mm"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = "2 mm"\n[test]\nplaten_speed = "0.2 m/s"\n`;
 
 test("all calibrations of a rock stand in a list; a stopped one hides no finished one; each is tested", async () => {

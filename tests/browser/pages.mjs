@@ -7,6 +7,11 @@ export const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
 
 export const launch = (...more) => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage", ...more] });
 
+/** For a page that has not been opened: the gui shows commands and TOML. A report in its sandbox keeps nothing. */
+export const showCommands = () => {
+  if (origin !== "null") localStorage.setItem("phyllite commands", "true");
+};
+
 export const within = async (seconds, holds) => {
   for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
     if (await holds()) return;

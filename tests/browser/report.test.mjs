@@ -2,7 +2,7 @@
 // `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -46,6 +46,14 @@ async function open(result, options = {}, first = null) {
 }
 
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** As the browser does before it prints. */
+async function toPaper(page) {
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await page.setViewportSize({ width: 680, height: 1005 }); // A4 upright, less the margins
+  await page.emulateMedia({ media: "print" });
+  await settled(page);
+}
 
 /** Number of colours in an element as it is seen, and a fingerprint of all its pixels. */
 async function seen(page, selector) {
@@ -162,11 +170,11 @@ test("colours, forces, zoom and one specimen change the picture", async () => {
 test("everything is reached by keyboard", async () => {
   const page = await open(press);
   const reached = new Set();
-  for (let i = 0; i < 80; ++i) {
+  for (let i = 0; i < 160; ++i) {
     await page.keyboard.press("Tab");
     reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute("aria-label") || document.activeElement.textContent));
   }
-  for (const id of ["theme", "view", "play", "slider", "mode", "only", "field", "show-cracks", "show-forces", "magnify", "Zoom in", "Table of results"])
+  for (const id of ["theme", "view", "play", "slider", "mode", "only", "field", "show-cracks", "show-forces", "magnify", "Zoom in", "Table of results", "Print or PDF", "Tables .xlsx"])
     assert.ok(reached.has(id), `${id} among ${[...reached].join(", ")}`);
   await page.locator("#slider").focus();
   const before = await seen(page, "#view");
@@ -199,15 +207,12 @@ test("prints without cut figures, in light colours", async () => {
   const page = await open(press, { colorScheme: "dark" });
   const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
   assert.ok(pdf.length > 50000 && pdf.subarray(0, 5).toString() === "%PDF-");
-  const [width, height] = [(297 - 24) / 25.4 * 96, (210 - 24) / 25.4 * 96]; // A4 across, less the margins
-  await page.setViewportSize({ width: Math.floor(width), height: Math.floor(height) });
-  await page.emulateMedia({ media: "print" });
-  await settled(page);
-  const cut = await page.evaluate(([w, h]) =>
+  await toPaper(page);
+  const cut = await page.evaluate((h) =>
     [...document.querySelectorAll("figure, table, canvas, pre")].filter((e) => {
       const box = e.getBoundingClientRect();
-      return box.right > w + 1 || ((e.tagName === "FIGURE" || e.tagName === "CANVAS") && box.height > h);
-    }).map((e) => `${e.tagName} ${e.textContent.slice(0, 40)} ${JSON.stringify(e.getBoundingClientRect())}`), [width, height]);
+      return box.right > 681 || ((e.tagName === "FIGURE" || e.tagName === "CANVAS") && box.height > h);
+    }).map((e) => `${e.tagName} ${e.textContent.slice(0, 40)} ${JSON.stringify(e.getBoundingClientRect())}`), (297 - 31) / 25.4 * 96);
   assert.deepEqual(cut, []);
 });
 
@@ -224,14 +229,22 @@ test("a page says which specimens failed or are missing", async () => {
   assert.match(text, /theta_0_deg: missing/);
 });
 
-/** A small calibration, laid down by hand. */
-function calibrated() {
-  const result = join(folder, "calibration");
+/** A small calibration, laid down by hand. `specimens`: the folder of a run. */
+function calibrated(name = "calibration", angles = [0, 45], properties = ["nu", "UCS"], specimens = null) {
+  const result = join(folder, name);
   mkdirSync(result, { recursive: true });
-  const of = (property, unit, scale) => (theta, laboratory, model) => ({ property, unit, "theta [deg]": theta, laboratory: { mean: laboratory * scale, sd: 0.05 * laboratory * scale, n: 4, sd_assumed: false }, model: model * scale, sd_of_packings: null, n_packings: 1, low: 0.9 * model * scale, high: 1.1 * model * scale });
-  const [ucs, nu] = [of("UCS", "Pa", 1e6), of("nu", "1", 1)];
+  if (specimens) cpSync(specimens, join(result, "specimens"), { recursive: true });
+  const units = { nu: ["1", 0.2], E: ["Pa", 60e9], UCS: ["Pa", 60e6], BTS: ["Pa", 9e6] };
+  const off = (k) => [-0.0417, 0.1, 0.05, -0.02][k % 4];
+  const of = (property) => angles.map((theta, k) => {
+    const [unit, mean] = units[property];
+    const model = Number((mean * (1 + off(k))).toPrecision(4));
+    return { property, unit, "theta [deg]": theta, laboratory: { mean, sd: 0.05 * mean, n: 4, sd_assumed: false }, model, sd_of_packings: null, n_packings: 1, low: 0.9 * model, high: 1.1 * model };
+  });
   const parameter = (key, determined) => ({ key, symbol: key, unit: "Pa", value: 40.25e9, low: 35e9, high: 46e9, box: [1e9, 200e9], determined, next: determined ? undefined : { text: "<b>tension</b>" } });
-  const calibration = { format: 2, rock: hostile, verdict: { status: "calibrated except", sentence: "calibrated except: <u>cause</u>; next: a step", lines: ["UCS 12 % off at 45 degrees"], findings: [{ kind: "value_missed", text: "<i>UCS(45)</i> is out by 12 %" }] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [ucs(0, 60, 57.5), ucs(45, 60, 66), nu(0, 0.2, 0.21), nu(45, 0.2, 0.19)], verification: [], left_out: [], notes: [{ kind: "packings_added", text: "a note" }] };
+  const fitted = properties.flatMap(of);
+  const verdict = { status: "calibrated except", sentence: "calibrated except: <u>cause</u>; next: a step", lines: ["UCS 12 % off at 45 degrees"], findings: angles.map((a) => ({ kind: "value_missed", text: `<i>UCS(${a})</i> is out by 12 %` })) };
+  const calibration = { format: 2, rock: hostile, verdict, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted, verification: [], left_out: [], notes: [{ kind: "packings_added", text: "a note" }] };
   writeFileSync(join(result, "calibration.json"), JSON.stringify(calibration));
   report(result);
   return result;
@@ -244,55 +257,105 @@ test("a calibration: verdict, what the data determine, laboratory beside model",
   assert.equal(await page.locator("h1").textContent(), hostile);
   assert.equal(await page.locator("#calibration .notice strong").first().textContent(), "calibrated except: <u>cause</u>; next: a step");
   assert.equal(await page.locator("#calibration .findings li").first().textContent(), "UCS 12 % off at 45 degrees");
-  assert.equal(await page.locator("#calibration details[open]").count(), 0, "details are folded");
+  assert.equal(await page.locator("details[open]").count(), 0, "details are folded");
   const narrow = await open(result, { viewport: { width: 390, height: 844 } });
   assert.ok(await narrow.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
-  const text = await page.locator("#calibration").textContent();
-  for (const part of ["calibrated except", "<i>UCS(45)</i> is out by 12 %", "57.50", "-4.2", "40.25 GPa", "<b>tension</b>"]) assert.ok(text.includes(part), part);
+  const text = await page.locator("#main").textContent();
+  for (const part of ["calibrated except", "<i>UCS(45)</i> is out by 12 %", "57.5", "−4.2", "40.25 GPa", "<b>tension</b>"]) assert.ok(text.includes(part), part);
   assert.ok((await seen(page, "#calibration figure svg")).colors > 12);
 });
 
-test("on paper names and numbers stay over their specimens, what is for the screen is left out, folds close again", async () => {
-  for (const width of [1400, 1920]) {
+test("on paper names and numbers stand over their specimens, what is for the screen is left out, folds close again", async () => {
+  for (const width of [390, 1920]) {
     const page = await open(press, { viewport: { width, height: 900 } });
-    await page.addInitScript(() => { // a sheet is laid out without the page's doing
-      const Real = ResizeObserver;
-      window.ResizeObserver = class extends Real {
-        constructor(act) {
-          super((...seen) => window.onSheet || act(...seen));
-        }
-      };
-    });
-    await page.reload();
-    await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, { timeout: 60000 });
-    const part = () =>
-      page.evaluate(() => {
-        const view = document.querySelector("#view").getBoundingClientRect();
-        return [...document.querySelectorAll(".cells div")].map((d) => {
-          const box = d.getBoundingClientRect();
-          return [(box.left + box.width / 2 - view.left) / view.width, (box.top - view.top) / view.height, view.height / view.width];
-        });
-      });
-    const onScreen = await part();
-    assert.ok(onScreen.length >= 6);
     const height = await page.evaluate(() => document.documentElement.scrollHeight);
     const open_ = () => page.locator("details[open]").count();
     assert.equal(await open_(), 0);
-    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-    await page.evaluate(() => (window.onSheet = true));
+    await toPaper(page);
     assert.ok((await open_()) > 0);
-    await page.setViewportSize({ width: 1031, height: 703 }); // A4 across, less the margins
-    await page.emulateMedia({ media: "print" });
-    const onPaper = await part();
-    onPaper.forEach((p, i) => p.forEach((v, k) => assert.ok(Math.abs(v - onScreen[i][k]) < 0.03, `${i} ${k}: ${v} instead of ${onScreen[i][k]}`)));
+    const [view, heads, feet] = await page.evaluate(() => ["#view", ".cells .head", ".cells .foot"].map((s) => [...document.querySelectorAll(s)].map((e) => e.getBoundingClientRect().toJSON())));
+    assert.equal(heads.length, 3);
+    for (const [i, head] of heads.entries()) {
+      const column = (head.left + head.width / 2 - view[0].left) / view[0].width;
+      assert.ok(Math.abs(column - (i + 0.5) / 3) < 0.02, `${i}: ${column}`);
+      assert.ok(feet[i].top > head.bottom + 100 && Math.abs(feet[i].left - head.left) < 1);
+    }
+    assert.ok((await seen(page, ".snapshot")).colors > 200);
+    const strengths = await page.locator(".cells .foot").allInnerTexts();
+    assert.deepEqual(strengths.map((s) => s.replace(/[\d.]+/, "n")), ["UCS –", "UCS n MPa", "UCS n MPa"]); // the first has no peak
     assert.equal(await page.getByText("Slide through the test").isVisible(), false);
     await page.emulateMedia({ media: "screen" });
     await page.setViewportSize({ width, height: 900 });
-    await page.evaluate(() => (window.onSheet = false));
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
     assert.equal(await open_(), 0);
     await within(5, async () => Math.abs((await page.evaluate(() => document.documentElement.scrollHeight)) - height) < 40);
   }
+});
+
+/** Text that is smaller than 8 pt, and what makes the browser shrink the sheet. */
+const tooSmall = () => {
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const small = document.documentElement.scrollWidth > 680 ? ["wider than the sheet"] : [];
+  while (walker.nextNode()) {
+    const { parentElement: e, data } = walker.currentNode;
+    const drawn = data.trim() && !["SCRIPT", "STYLE", "TITLE"].includes(e.tagName) && e.getClientRects().length > 0;
+    if (drawn && parseFloat(getComputedStyle(e).fontSize) < 8 / 0.75 - 0.01) small.push(`${e.tagName} ${data.slice(0, 30)}`);
+  }
+  return small;
+};
+
+test("a calibration with its specimens and four properties is a report of six sheets at most, nothing below 8 pt", async (t) => {
+  const page = await open(calibrated("sheets", [0, 15, 30, 45, 60, 75, 90], ["E", "nu", "UCS", "BTS"], press));
+  const pdf = (await page.pdf({ preferCSSPageSize: true, printBackground: true })).toString("latin1");
+  const sheets = pdf.match(/\/Type\s*\/Page\b/g).length;
+  const [, right, top] = pdf.match(/\/MediaBox\s*\[0 0 ([\d.]+) ([\d.]+)\]/).map(Number);
+  t.diagnostic(`${sheets} sheets`);
+  assert.ok(sheets >= 3 && sheets <= 6, String(sheets));
+  assert.ok(Math.abs(right - 595) < 2 && Math.abs(top - 842) < 2, "A4 upright");
+  await toPaper(page);
+  assert.deepEqual(await page.evaluate(tooSmall), []);
+  const onFirst = await page.evaluate(() => ["#title", "#calibration .notice", "#calibration .grid", ".viewer"].map((s) => document.querySelector(s).getBoundingClientRect().bottom + scrollY));
+  assert.ok(onFirst.every((bottom, i) => bottom < (297 - 31) / 25.4 * 96 && bottom > (onFirst[i - 1] ?? 0)), onFirst.join(", "));
+});
+
+test("the first page says who, what for and from which files; what nobody has said is left out", async () => {
+  const result = calibrated();
+  writeFileSync(join(folder, "rock.toml"), 'name = "a rock"\ndata = "rock.csv"\n[report]\nauthor = "A. <i>N.</i>"\nproject = "North tunnel"\n');
+  writeFileSync(join(result, "request.toml"), `name = "a rock"\nrock = "${join(folder, "rock.toml")}"\neffort = "quick"\nmax_tests = 2000\nelastic = false\nmethod = "posterior"\nwith_untrusted = false\ntable = "0"\nmodel = "0"\n`);
+  report(result);
+  const page = await open(result);
+  const said = await page.locator(".cover div").evaluateAll((all) => all.map((d) => [...d.children].map((e) => e.textContent)));
+  assert.deepEqual(said.map(([name]) => name), ["project", "author", "files", "results", "written", "program"]);
+  assert.equal(said[1][1], "A. <i>N.</i>");
+  assert.equal(said[2][1], "rock.toml, rock.csv");
+  assert.match(said[4][1], /^20\d\d-\d\d-\d\d$/);
+});
+
+/** What a click saves. */
+async function saved(page, label) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: label }).first().click()]);
+  return [download.suggestedFilename(), readFileSync(await download.path())];
+}
+
+test("tables are saved as CSV and as a workbook, charts as SVG and PNG", async () => {
+  const page = await open(press);
+  const [name, csv] = await saved(page, "Save Table of results as CSV");
+  assert.equal(name, "Table-of-results.csv");
+  const [head, ...rows] = csv.toString("utf8").replace("\ufeff", "").split("\r\n").map((line) => line.split(","));
+  assert.ok(head.includes("UCS [MPa]"), head.join(" | "));
+  const ucs = results(press).find((r) => r["theta [deg]"] === 45).numbers.ucs.value * 1e-6;
+  assert.ok(Math.abs(Number(rows.find(([specimen]) => specimen === "45°")[head.indexOf("UCS [MPa]")]) - ucs) < 0.01);
+  const [book, bytes] = await saved(page, "Tables .xlsx");
+  assert.match(book, /\.xlsx$/);
+  const file = join(folder, "tables.xlsx");
+  writeFileSync(file, bytes);
+  const sheets = execFileSync("python3", ["-c", "import sys,zipfile,xml.dom.minidom as x; z=zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; [x.parseString(z.read(n)) for n in z.namelist()]; print(len(z.namelist()), z.read('xl/worksheets/sheet1.xml').decode())", file], { encoding: "utf8" });
+  assert.match(sheets, /<v>-?[\d.]+<\/v>/);
+  const [svgName, svg] = await saved(page, /^Save .* as SVG$/);
+  assert.match(svgName, /\.svg$/);
+  assert.ok(svg.toString().startsWith("<svg") && !svg.toString().includes("var(--"), "its colours are its own");
+  const [, png] = await saved(page, /^Save .* as PNG$/);
+  assert.equal(png.subarray(1, 4).toString(), "PNG");
 });
 
 test("a fold that the reader has opened stays open after printing", async () => {

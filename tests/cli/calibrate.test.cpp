@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 
 #include "../program.hpp"
 #include "jobs/calibration_options.hpp"
+#include "records/file_key_fixture.hpp"
+#include "report/calibration_files.hpp"
 
 namespace {
 
@@ -44,7 +47,10 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   const std::string all = output, first = all.substr(all.find("Next: "), 30);  // of the sentence of verdict
   EXPECT_GT(all.rfind(first), all.find("tests in compression")) << "and where the output ends";
   EXPECT_THAT(read(out() + "/tables.txt"), testing::AllOf(HasSubstr("Details\n"), HasSubstr("verdict: ")));
-  EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"verification\""));
+  const std::string found = read(out() + "/calibration.json");
+  EXPECT_THAT(found, HasSubstr("\"verification\""));
+  std::set<std::string> met;
+  EXPECT_THAT(phy::unlisted_keys(found, phy::report::calibration_keys(), met), testing::IsEmpty());
   EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));
   EXPECT_THAT(read(out() + "/calibrated-yade.py"), HasSubstr("JCFpmMat"));
   EXPECT_THAT(read(out() + "/calibrated.toml"), HasSubstr("# The data do not constrain"));

@@ -110,11 +110,11 @@ std::string small(const std::string& shown) {
        "calibrate rock.toml --method sequence --elastic --out again/sequence"},
       {"study examples/paper/elastic-crossing.toml --out results/direct",
        "study direct.toml --out again/direct"},
-      {"study examples/paper/study.toml --out results/study", "study study.toml --out again/study"}};
+      {"study examples/paper/study-small.toml --out results/study", "study study.toml --out again/study"}};
   if (const auto known = whole.find(shown); known != whole.end()) return known->second;
   std::string command = shown;
   const std::vector<std::pair<std::string, std::string>> words = {{"svg|pdf|png", "svg"},
-                                                                  {"--width MM", "--width 90"},
+                                                                  {"--size WIDTH", "--size 90"},
                                                                   {"--out FILE", "--out again/figure.svg"},
                                                                   {"KIND", "cracks"},
                                                                   {"RESULT", "result"},

@@ -110,7 +110,7 @@ TEST_F(RockCli, ACheckEndsWithTheVerdictThatIsForetold) {
     }
   };
   follow_one_another({"Read: ", "Moduli: E ", "Strengths: UCS ", "states no scatter of E and UCS",
-                      "Not determined: ", "Forecast with ", "A calibration takes ", "Model"});
+                      "Not determined: ", "Forecast with ", "A calibration by one model takes ", "Model"});
   ASSERT_EQ(run("rock check --all " + rock), 0) << output;
   follow_one_another({"Read: ", "theta ", "- Eq. 1 through E: E = ", "- Jaeger's plane",
                       "- Largest value over least: ", "parameter "});

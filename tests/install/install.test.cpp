@@ -278,11 +278,10 @@ TEST_F(Install, ThereIsOneVersion) {
     return std::regex_search(text, match, std::regex(expression)) ? match[1].str()
                                                                   : "nothing of " + expression;
   };
-  const std::string version = found(slurp(root / "CMakeLists.txt"), "project\\(phyllite VERSION ([0-9.]+)");
   const std::string changes = slurp(root / "CHANGELOG.md"), citation = slurp(root / "CITATION.cff");
   // the first section: this program, a release or what will be one
   const std::string here = found(changes, "\n## ([0-9.]+(?:-dev)?), [0-9]{4}-[0-9]{2}-[0-9]{2}\n");
-  EXPECT_THAT(here, testing::AnyOf(version, version + "-dev"));
+  const std::string version = here.substr(0, here.find('-'));
   ASSERT_EQ(run("--version"), 0);
   const bool released = here == version;
   const std::string commit = released ? "" : "(\\+[0-9a-f]{8}(\\.changed)?)?";
@@ -297,11 +296,11 @@ TEST_F(Install, ThereIsOneVersion) {
   EXPECT_EQ(found(slurp(build + "/CPackConfig.cmake"), "CPACK_PACKAGE_VERSION \"([^\"]+)\""),
             version + (released ? "" : "~dev"));
   // Nowhere else is it written down, but in cards: which program made them.
-  EXPECT_NE(
-      run_line("grep -rnFw --exclude=rocks.md '" + version + "' " + (root / "README.md").string() + " " +
-               (root / "docs").string() + " " + (root / "src").string() + " " + (root / "python").string() +
-               " " + (root / "packaging").string() + " " + (root / "web/src").string()),
-      0)
+  EXPECT_NE(run_line("grep -rnFw --exclude=rocks.md '" + version + "' " + (root / "README.md").string() +
+                     " " + (root / "docs").string() + " " + (root / "src").string() + " " +
+                     (root / "python").string() + " " + (root / "packaging").string() + " " +
+                     (root / "web/src").string() + " " + (root / "CMakeLists.txt").string()),
+            0)
       << output;
 }
 

@@ -101,7 +101,7 @@ export interface Quality {
   marks: { number: string; value: number; limit: number; least: boolean; grade: string; says: string; meaning: string; advice: string; of?: string[] }[];
 }
 
-interface RawTest {
+export interface RawTest {
   result: {
     specimen: string;
     "theta [deg]"?: number;
@@ -152,6 +152,7 @@ export interface Figures {
 interface RawReport {
   name: string;
   program: string;
+  head: [string, string][]; // of the first page, name and text: "author", "NN"
   axes: Axes;
   columns: Column[];
   done: { kind: string; kept: string | null; stress: number }; // test, and the stress [Pa] that it keeps, by its key
@@ -205,8 +206,13 @@ export function bytes(base64: string): Uint8Array {
 }
 
 export const f64 = (s: string) => new Float64Array(bytes(s).buffer as ArrayBuffer);
-const f32 = (s: string) => new Float32Array(bytes(s).buffer as ArrayBuffer);
+export const f32 = (s: string) => new Float32Array(bytes(s).buffer as ArrayBuffer);
 export const u32 = (s: string) => new Uint32Array(bytes(s).buffer as ArrayBuffer);
+
+export const noCracks = (): Cracks => ({ strain: new Float64Array(), a: new Uint32Array(), b: new Uint32Array(), kind: new Uint8Array(), normal_x: new Float32Array(), normal_y: new Float32Array(), size: new Float32Array() });
+
+/** As src/report/page.cpp packs them. */
+export const cracksOf = (c: Record<string, string>): Cracks => ({ strain: f64(c.strain), a: u32(c.a), b: u32(c.b), kind: bytes(c.kind), normal_x: f32(c.normal_x), normal_y: f32(c.normal_y), size: f32(c.size) });
 
 export function readReport(): Report {
   const raw = JSON.parse(document.getElementById("report-data")!.textContent!) as RawReport;
@@ -222,15 +228,7 @@ export function readReport(): Report {
       numbers: t.result.numbers,
       result: t.result,
       curve,
-      cracks: {
-        strain: f64(t.cracks.strain),
-        a: u32(t.cracks.a),
-        b: u32(t.cracks.b),
-        kind: bytes(t.cracks.kind),
-        normal_x: f32(t.cracks.normal_x),
-        normal_y: f32(t.cracks.normal_y),
-        size: f32(t.cracks.size),
-      },
+      cracks: cracksOf(t.cracks),
       bedding: t.bedding,
       color: curve ? colorOf(curve) : "var(--intact)",
       scene: t.scene,
@@ -305,8 +303,9 @@ function sections(head: SceneHead, plain: Uint8Array) {
   };
 }
 
-export async function readScene(id: string, sign: number): Promise<Scene> {
-  const all = bytes(document.getElementById(id)!.textContent!.trim());
+/** `packed`: in base 64. */
+export async function readScene(packed: string, sign: number): Promise<Scene> {
+  const all = bytes(packed.trim());
   const end = all.indexOf(10);
   const head = JSON.parse(new TextDecoder().decode(all.subarray(0, end))) as SceneHead;
   const next = sections(head, await inflate(all.subarray(end + 1)));

@@ -183,9 +183,9 @@ export function draw(panel: Panel, width: number, view: View = {}): Drawn {
   const dots = panel.series.map((s) => dotsOf(s, s.right ? scale : 1));
   const faded = (s: Series) => view.selected != null && s.item >= 0 && s.item !== view.selected;
   const pointed = dots.flat().filter((d) => d.s.name && !d.s.right && !["area", "text", "band"].includes(d.s.mark) && !faded(d.s));
-  const height = panel.framed ? Math.max(150, Math.min(460, 0.78 * (view.aspect ?? 0.85) * width)) : width;
+  const height = panel.framed ? Math.max(165, Math.min(460, 0.78 * (view.aspect ?? 0.85) * width)) : width;
   const node = Plot.plot({
-    style: { background: "none", fontFamily: "inherit", fontSize: "12px", overflow: "visible" },
+    style: { background: "none", fontFamily: "inherit", fontSize: "var(--chart-text, 12px)", overflow: "visible" },
     width,
     height,
     ...(panel.framed ? axesOf(panel, width, height, view.bare ?? false) : { axis: null, margin: 0, x: { domain: [panel.x.low, panel.x.high] }, y: { domain: [panel.y.low, panel.y.high] } }),

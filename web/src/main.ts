@@ -1,10 +1,13 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
 import { Calibration, Comparison, Estimate, Column, Line, Report, Test, Yardstick, lastUpTo, readReport, readScene } from "./data";
-import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
+import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table as plainTable, theme } from "./dom";
 import { Drawn, Figure, Panel, axisLabel, draw, legend } from "./figure";
-import { friendly } from "./units";
+import { labelSpecimens } from "./labels";
+import { paperFoot, printing } from "./paper";
+import { allTables, chartSavers, savable, saveFile, saver } from "./save";
+import { friendly, readable } from "./units";
 import { Field, ramps } from "./painter";
-import { Viewer, headHeight } from "./viewer";
+import { Viewer } from "./viewer";
 
 const report: Report = readReport();
 const main = document.getElementById("main")!;
@@ -16,6 +19,8 @@ function section(id: string, title: string, ...children: Child[]): HTMLElement {
   contents.append(h("li", {}, h("a", { href: `#${id}` }, title)));
   return s;
 }
+
+const table = (...of: Parameters<typeof plainTable>) => savable(plainTable(...of));
 
 /** Charts that are drawn anew when their place changes its width. */
 const charts: Chart[] = [];
@@ -39,8 +44,12 @@ function chart(label: string, caption: Child, draw: (width: number, place: HTMLE
   const made = figure(label, caption, draw);
   charts.push(made);
   observer.observe(made.place);
+  made.node.append(chartSavers(made.place, `${report.name} ${label}`));
   return made.node;
 }
+
+/** As many as a laboratory gives. */
+const threeDigits = (v: number) => (Math.abs(v) >= 99.95 ? v.toFixed(0) : Math.abs(v) >= 9.995 ? v.toFixed(1) : Math.abs(v) >= 0.9995 ? v.toFixed(2) : v.toFixed(3));
 
 const heading = (p: Panel) => [p.framed && axisLabel(p.y), p.title].filter(Boolean).join(", ").replace(/^[a-z](?=[a-z])/, (letter) => letter.toUpperCase());
 
@@ -52,8 +61,7 @@ const grid = (figure: Figure, style = "grid small", panels = figure.panels): HTM
 
 // --- what is missing ----------------------------------------------------------------------------------------
 
-/** As many digits as tell a value from its limit: not "3.0", below 3. */
-const besideLimit = (value: number, limit: number) => [2, 3, 4, 5].map((n) => value.toPrecision(n)).find((text) => Number(text) !== limit) ?? value.toPrecision(6);
+const leastBeyond = 0.05; // of a limit: what is nearer to it changes no reading
 
 /** What is warned of in tests that count, each once with the tests that it is said of. */
 function warnings(): [string, string[]][] {
@@ -62,8 +70,9 @@ function warnings(): [string, string[]][] {
     for (const m of t.quality.marks) {
       // Of a calibration E and nu are means over packings, and may be those of small strain: here the star in the table of the specimen says it.
       if (report.calibration && m.of?.length) continue;
+      if (Math.abs(m.value - m.limit) <= leastBeyond * Math.abs(m.limit)) continue;
       const says = `${m.number} ${m.least ? "below" : "above"} ${m.limit}: ${m.meaning}; ${m.advice}`;
-      told.set(says, [...(told.get(says) ?? []), `${t.name}: ${besideLimit(m.value, m.limit)}`]);
+      told.set(says, [...(told.get(says) ?? []), `${t.name}: ${m.value.toPrecision(2)}`]);
     }
   return [...told];
 }
@@ -73,9 +82,14 @@ function notices(): Child[] {
   const about = (t: Test) => [t.outcome.reason, t.outcome.advice].filter((s) => s.length > 0).join("; ");
   return [
     ...failed.map((t) => h("p", { class: "notice" }, h("strong", {}, `${t.name}: ${t.outcome.status}. `), about(t))),
-    ...warnings().map(([says, names]) => h("p", { class: "warning" }, h("strong", {}, "Warning. "), `${says} (${names.join(", ")})`)),
     ...report.missing.map((m) => h("p", { class: "notice" }, h("strong", {}, `${m.name}: missing. `), m.reason)),
   ];
+}
+
+/** What can stay as it is is said last. */
+function reservations() {
+  const all = warnings();
+  if (all.length > 0) section("reservations", "Warnings", ...all.map(([says, names]) => h("p", { class: "warning" }, `${says} (${names.join(", ")})`)));
 }
 
 // --- slider, specimens, curves ------------------------------------------------------------------------------
@@ -108,6 +122,17 @@ function setDot(dot: HTMLElement, c: Drawn, t: Test, strain: number) {
   dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
 }
 
+/** What a specimen was tested for, and what the laboratory has there. */
+function strengthOf(t: Test): string[] {
+  const made = report.columns.find((c) => c.made_for);
+  const number = made && t.numbers[made.number];
+  if (!made || !number) return [];
+  const same = (r: Comparison) => r.property === made.head && r["theta [deg]"] === t.theta && !r["confining [Pa]"];
+  const measured = report.calibration?.fitted.find(same);
+  const shown = (value: number) => `${threeDigits(value * made.scale)} ${made.unit}`;
+  return [number.value === null ? `${made.head} –` : `${made.head} ${shown(number.value)}`, ...(measured ? [`table ${shown(measured.laboratory.mean)}`] : [])];
+}
+
 /** Brings everything to the slider's position. */
 function update() {
   const strains = strainsNow();
@@ -116,7 +141,7 @@ function update() {
     if (overview && dots[i]) setDot(dots[i], overview, t, strains[i]);
     if (feet[i]) {
       const cracks = lastUpTo(t.cracks.strain, strains[i]) + 1;
-      feet[i].textContent = `${stressAt(t, strains[i]).toFixed(1)} MPa\n${cracks} cracks`;
+      feet[i].textContent = `${stressAt(t, strains[i]).toFixed(1)} MPa, ${cracks} cracks`;
     }
   });
   for (const m of multiples) setDot(m.dot, m.chart, report.tests[m.test], strains[m.test]);
@@ -317,30 +342,23 @@ function specimens() {
     target.append(h("p", { class: "notice" }, "These results hold no displacement fields (test.n_frames), so the specimens cannot be drawn."));
     return;
   }
-  target.append(place, transport);
+  target.append(legend(report.figures.modes.panels), place, transport);
   try {
-    const shown = report.tests.map((t) => ({ ...t, load: t.scene ? () => readScene(t.scene!, report.axes.sign) : null }));
+    const shown = report.tests.map((t) => ({ ...t, load: t.scene ? () => readScene(document.getElementById(t.scene!)!.textContent!, report.axes.sign) : null }));
     viewer = new Viewer(canvas, shown, () => {
-      overlay.replaceChildren();
       feet.length = 0;
-      for (const cell of viewer!.cells) {
-        const t = report.tests[cell.test];
-        const part = (length: number, whole: number) => `${((100 * length) / Math.max(1, whole)).toFixed(3)}%`; // paper has another width
-        const [width, height] = [canvas.clientWidth, viewer!.height];
-        const at = (top: number) => `left:${part(cell.left, width)};width:${part(cell.width, width)};top:${part(top, height)}`;
-        const foot = h("div", { class: "foot", style: at(cell.top + cell.height) });
-        feet[cell.test] = foot;
-        const absent = viewer!.absent(cell.test);
-        overlay.append(h("div", { class: "head", style: `${at(cell.top - headHeight)};color:${t.color}` }, t.theta === null ? t.label : `θ = ${t.label}`), foot);
-        if (absent) overlay.append(h("div", { class: "absent", style: at(cell.top + 0.45 * cell.height) }, absent));
-      }
+      labelSpecimens(viewer!, overlay, (i) => {
+        const t = report.tests[i];
+        feet[i] = h("span", { class: "screen" });
+        return { head: t.theta === null ? t.label : `θ = ${t.label}`, color: t.color, foot: [...strengthOf(t).map((line, k) => h(k === 0 ? "strong" : "span", {}, line)), feet[i]] };
+      });
       update();
     }, () => (document.querySelector("nav")?.offsetHeight ?? 0) + transport.offsetHeight + 24);
   } catch (error) {
     place.replaceWith(h("p", { class: "notice" }, `The specimens cannot be drawn: ${(error as Error).message}.`));
     return;
   }
-  target.append(viewControls(viewer, field), field, legend(report.figures.modes.panels));
+  target.append(viewControls(viewer, field), field);
   pointing(viewer);
   new ResizeObserver(() => viewer!.layout()).observe(place);
 }
@@ -358,7 +376,7 @@ function curves() {
   const { stress_strain: all, damage } = report.figures;
   const panel = all!.panels[0];
   const title = `${panel.y.quantity[0].toUpperCase()}${panel.y.quantity.slice(1)} and ${panel.x.quantity}`;
-  const together = chart(title, "Dots follow the slider.", (width, place) => {
+  const together = chart(title, h("span", { class: "screen" }, "Dots follow the slider."), (width, place) => {
     overview = draw(panel, width, { aspect: all!.aspect, selected });
     if (dots.length === 0) report.tests.forEach((t) => dots.push(cursor(place, t.color)));
     return overview.node;
@@ -410,6 +428,12 @@ function cell(t: Test, c: Column): HTMLElement {
   return td;
 }
 
+/** Not on paper. */
+function onScreen<T extends HTMLElement | null>(made: T): T {
+  made?.classList.add("screen");
+  return made;
+}
+
 function numberTable(): HTMLElement {
   const used = report.columns.filter((c) => report.tests.some((t) => t.numbers[c.number]));
   const n = used.length;
@@ -417,6 +441,8 @@ function numberTable(): HTMLElement {
   const missing = report.missing.map((m): Child[] => [m.name, ...used.map(() => "–"), "missing", ""]);
   const made = table("Table of results", ["specimen", ...used.map((c) => h("span", {}, c.head, h("small", {}, c.unit))), "outcome", "quality"], [...rows, ...missing], null, [n + 1, n + 2]);
   made.querySelector("table")!.id = "numbers";
+  const drawnElsewhere = used.flatMap((c, i) => (c.unit === "cracks" ? [i + 1] : [])); // over the strain, by kind
+  for (const row of made.querySelectorAll("tr")) for (const i of drawnElsewhere) onScreen(row.cells[i]);
   return made;
 }
 
@@ -425,9 +451,11 @@ function everyNumber(): HTMLElement {
   const names = [...new Set(report.tests.flatMap((t) => Object.keys(t.numbers)))];
   const row = (name: string) => {
     const { unit, definition } = report.tests.find((t) => t.numbers[name])!.numbers[name];
-    return [name, unit, ...report.tests.map((t) => t.numbers[name]?.value?.toPrecision(5) ?? "–"), definition];
+    const values = report.tests.map((t) => t.numbers[name]?.value ?? null);
+    const [factor, shown] = readable(Math.max(...values.map((v) => Math.abs(v ?? 0))), unit);
+    return [name, shown, ...values.map((v) => (v === null ? "–" : Number.isInteger(v) && factor === 1 ? String(v) : String(+(v * factor).toPrecision(4)))), definition];
   };
-  return fold(`All ${names.length} numbers with their definitions`, table("All numbers", ["number", "unit", ...report.tests.map((t) => t.label), "definition"], names.map(row), null, [report.tests.length + 2]));
+  return onScreen(fold(`All ${names.length} numbers with their definitions`, table("All numbers", ["number", "unit", ...report.tests.map((t) => t.label), "definition"], names.map(row), null, [report.tests.length + 2])));
 }
 
 function tables() {
@@ -436,7 +464,7 @@ function tables() {
 
 // --- calibration ---------------------------------------------------------------------------------------------
 
-function comparisonTable(rows: Comparison[], caption: string, yardsticks: Yardstick[] = []): Child {
+function comparisonTable(rows: Comparison[], caption: string, yardsticks: Yardstick[] = []): HTMLElement | null {
   if (rows.length === 0) return null;
   const best = (r: Comparison) => yardsticks.find((y) => y.property === r.property)?.best;
   const rules: [string, (r: Comparison) => number | null | undefined][] = [];
@@ -445,14 +473,14 @@ function comparisonTable(rows: Comparison[], caption: string, yardsticks: Yardst
   const within = (mean: number | null, sd: number | null, scale: number) => (mean === null ? "none" : (mean * scale).toFixed(0) + (sd === null ? "" : ` ± ${(sd * scale).toFixed(0)}`));
   const failure = ({ failure: f }: Comparison) => (f ? [within(f.bedding_share, f.bedding_share_sd, 100), `${within(f["angle [deg]"], f["angle_sd [deg]"], 1)} (${f.n_planes} of ${f.n_tests})`] : ["–", "–"]);
   const fails = rows.some((r) => r.failure);
-  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...rules.map(([head]) => `error, ${head}`), ...(fails ? ["cracks along bedding [%]", "failure plane [°]"] : [])];
+  const heads = ["property", "θ [°]", "laboratory", "± sd", "n", "model", "± sd of packings", "rock, 95 %", "error", ...rules.map(([head]) => `error, ${head}`), ...(fails ? ["cracks along bedding [%]", "failure plane [°]"] : [])];
   return table(
     caption,
     heads,
     rows.map((r) => {
-      const f = (v: number | null) => (v === null ? "–" : (v * report.properties[r.property].factor).toPrecision(4));
+      const f = (v: number | null) => (v === null ? "–" : threeDigits(v * report.properties[r.property].factor));
       const { mean, sd, n } = r.laboratory;
-      const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? (v - mean).toFixed(3) : `${(100 * (v / mean - 1)).toFixed(1)} %`);
+      const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? signed(v - mean, 3) : `${signed(100 * (v / mean - 1), 1)}\u00a0%`);
       return [named(report.properties[r.property].axis, r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([, value]) => error(value(r))), ...(fails ? failure(r) : [])];
     }),
     caption,
@@ -476,16 +504,18 @@ const testOf = (r: Comparison) => r.property + particulars(r);
 function angleTable(c: Calibration): HTMLElement {
   const rows = [...judged(c), ...alone(c)];
   const angles = [...new Set(rows.map((r) => r["theta [deg]"]))].sort((a, b) => a - b);
-  const digits = (v: number) => (Math.abs(v) >= 99.95 ? v.toFixed(0) : Math.abs(v) >= 9.995 ? v.toFixed(1) : Math.abs(v) >= 0.9995 ? v.toFixed(2) : v.toFixed(3));
   const lines = [...new Set(rows.map(testOf))].flatMap((k): Child[][] => {
     const some = rows.filter((r) => testOf(r) === k);
     const { factor } = report.properties[some[0].property];
     const cells = (f: (r: Comparison) => string) => angles.map((a) => some.filter((r) => r["theta [deg]"] === a).map(f)[0] ?? "–");
+    const interval = (r: Comparison) => c.fitted.find((f) => testOf(f) === testOf(r) && f["theta [deg]"] === r["theta [deg]"]) ?? r;
     const error = (r: Comparison) => (r.model === null ? "–" : r.property === "nu" ? signed(r.model - r.laboratory.mean, 2) : signed(100 * (r.model / r.laboratory.mean - 1), 1));
     return [
-      [named(symbol(some[0].property), some[0]) + (alone(c).includes(some[0]) ? ", not fitted" : ""), ...cells((r) => digits(r.laboratory.mean * factor))],
-      [h("span", { class: "muted" }, "model"), ...cells((r) => (r.model === null ? "–" : digits(r.model * factor)))],
+      [named(symbol(some[0].property), some[0]) + (alone(c).includes(some[0]) ? ", not fitted" : ""), ...cells((r) => threeDigits(r.laboratory.mean * factor))],
+      [h("span", { class: "muted" }, "± SD (specimens)"), ...cells((r) => `${threeDigits(r.laboratory.sd * factor)} (${r.laboratory.n})`)],
+      [h("span", { class: "muted" }, "model"), ...cells((r) => (r.model === null ? "–" : threeDigits(r.model * factor)))],
       [h("span", { class: "muted" }, some[0].property === "nu" ? "error" : "error, %"), ...cells(error)],
+      ...(some.some((r) => interval(r).low !== null) ? [[h("span", { class: "muted" }, "rock, 95 %"), ...cells((r) => (interval(r).low === null ? "–" : `${threeDigits(interval(r).low! * factor)} – ${threeDigits(interval(r).high! * factor)}`))]] : []),
     ];
   });
   return table("Laboratory and model, angles across", ["θ [°]", ...angles.map(String)], lines, c.verification.length > 0 ? "Laboratory and model, on unseen packings" : "Laboratory and model, on the packings of the fit");
@@ -532,7 +562,7 @@ function whatIsDetermined(c: Calibration): HTMLElement {
   return table(
     "Parameters",
     ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or next test"],
-    c.parameters.map((p) => [p.key, friendly(p.value, p.unit), p.low === null ? "–" : `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined === null ? "–" : p.determined ? "yes" : "no", p.determined !== false ? (p.rests_on?.text ?? "") : p.next ? `next: ${p.next.text}` : "no test of a table determines it"]),
+    c.parameters.map((p) => [h("span", { title: p.key }, p.symbol), friendly(p.value, p.unit), p.low === null ? "–" : `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined === null ? "–" : p.determined ? "yes" : "no", p.determined !== false ? (p.rests_on?.text ?? "") : p.next ? `next: ${p.next.text}` : "no test of a table determines it"]),
     null,
     [5],
   );
@@ -550,31 +580,49 @@ function calibration() {
   const c = report.calibration;
   if (!c) return;
   const figure = report.figures.calibration!;
-  const drawn = (aside: boolean) => {
-    const panels = figure.panels.filter((p) => p.aside === aside);
-    return panels.length > 0 ? [grid(figure, "grid small", panels), legend(panels)] : [];
-  };
+  const [status, ...rest] = c.verdict.sentence.split(/(?<=\.) /);
+  const style = c.verdict.status === "calibrated" ? "notice verdict" : c.verdict.status.startsWith("calibrated") ? "notice verdict partly" : "notice";
   section(
     "calibration",
-    "Calibration",
-    h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence), h("ul", { class: "findings" }, ...c.verdict.lines.map((f) => h("li", {}, f)))),
-    ...drawn(false),
-    h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), ...(c.yardsticks ?? []).map((y) => h("p", {}, y.text)), cost(c))),
-    fold(`All findings (${c.verdict.findings.length}) and notes (${c.notes.length})`, ...c.verdict.findings.map((f) => h("p", {}, f.text)), ...c.notes.map((n) => h("p", { class: "muted" }, n.text))),
+    "Verdict",
+    h("div", { class: style }, h("strong", {}, status), rest.length > 0 && h("p", {}, rest.join(" ")), h("ul", { class: "findings" }, ...(c.verdict.lines ?? []).map((f) => h("li", {}, f)))),
+    ...drawn(figure, false),
+    h("p", { class: "muted on-paper" }, figure.panels.filter((p) => !p.aside && p.caption).map((p) => `${heading(p)}: ${p.caption}`).join(" ")),
+  );
+}
+
+const drawn = (figure: Figure, aside: boolean) => {
+  const panels = figure.panels.filter((p) => p.aside === aside);
+  return panels.length > 0 ? [grid(figure, "grid small", panels), legend(panels)] : [];
+};
+
+/** The numbers behind the verdict. */
+function values() {
+  const c = report.calibration;
+  if (!c) return;
+  const figure = report.figures.calibration!;
+  const aside = drawn(figure, true);
+  section(
+    "values",
+    "Values",
+    h("div", { class: "compact" }, h("div", {}, angleTable(c), errorTable(c), ...(c.yardsticks ?? []).map((y) => h("p", {}, y.text)), cost(c)), h("div", { class: "parameters" }, ...parameterTables(c))),
     fold("What the data determine", whatIsDetermined(c)),
+    fold(`All findings (${c.verdict.findings.length}) and notes (${c.notes.length})`, h("div", { class: "remarks" }, ...c.verdict.findings.map((f) => h("p", {}, f.text)), ...c.notes.map((n) => h("p", { class: "muted screen" }, n.text)))),
+    aside.length > 0 && fold(`More charts: ${figure.panels.filter((p) => p.aside).map((p) => p.y.quantity).join(", ")}`, ...aside),
     c.eq2 !== undefined &&
       fold(
         "Eq. 2: stiffness of the planes over stiffness of their joints, and how spacing and rule change it",
         h("p", { class: "muted" }, "K/k as calibrated, and the line K = slope · k + intercept through joints of half, once and twice the stiffness, on packings of the fit. E(θ) by direct solutions whose contacts also pull, K by Eq. 1 with E at 90°. The relation bends, the lower R² the more. Other packings have other lines too."),
         eq2Table(c.eq2),
       ),
-    fold(
-      "Every cell",
-      ...drawn(true),
-      comparisonTable(c.fitted, "On the packings of the fit"),
-      comparisonTable(c.verification, "On packings that the fit has not seen"),
-      comparisonTable(c.tangent_from_test ?? [], "E and ν at 40 – 60 % of UCS: those on unseen packings with what tests there make of them; above: at small strain"),
-      comparisonTable(c.left_out, "Each value predicted without it", c.yardsticks),
+    onScreen(
+      fold(
+        "Every cell",
+        comparisonTable(c.fitted, "On the packings of the fit"),
+        comparisonTable(c.verification, "On packings that the fit has not seen"),
+        comparisonTable(c.tangent_from_test ?? [], "E and ν at 40 – 60 % of UCS: those on unseen packings with what tests there make of them; above: at small strain"),
+        comparisonTable(c.left_out, "Each value predicted without it", c.yardsticks),
+      ),
     ),
   );
 }
@@ -619,42 +667,38 @@ function studies() {
 
 function texts() {
   if (report.methods.length > 0) section("methods", "Methods", ...report.methods.map((p) => h("p", {}, p)), copyButton(report.methods.join("\n\n")));
-  if (report.recipe) section("recipe", "Recipe", h("p", { class: "muted" }, "The completed recipe: every key with its value. Running it again gives the same bits."), h("pre", { tabindex: "0" }, report.recipe), copyButton(report.recipe));
+  if (report.recipe) onScreen(section("recipe", "Recipe", h("p", { class: "muted" }, "The completed recipe: every key with its value. Running it again gives the same bits."), h("pre", { tabindex: "0" }, report.recipe), copyButton(report.recipe)));
   const hashes = report.tests.map((t) => `${t.label} ${t.result.result_hash}`).join(", ");
   document.getElementById("footer")!.append(h("p", {}, `${report.program}.${hashes ? ` Fingerprints of the results: ${hashes}.` : ""}`));
 }
 
 // --- start ---------------------------------------------------------------------------------------------------
 
-function colours() {
-  const apply = theme(() => {
-    viewer?.readColors();
-    viewer?.draw();
-  });
-  // Paper is light: the specimens are drawn with light colours for it, everything is unfolded and drawn.
-  let folded: HTMLDetailsElement[] = [];
-  addEventListener("beforeprint", () => {
-    document.documentElement.dataset.theme = "light";
-    folded = [...document.querySelectorAll<HTMLDetailsElement>("details:not([open])")];
-    folded.forEach((d) => (d.open = true));
-    redraw();
-    viewer?.readColors();
-    viewer?.drawNow();
-  });
-  addEventListener("afterprint", () => {
-    folded.forEach((d) => (d.open = false));
-    apply();
-  });
+/** Everything at the width that it has now; on paper the specimens are as sharp as a printer. */
+function layOut(paper: boolean) {
+  redraw(true);
+  document.querySelector(".snapshot")?.remove();
+  if (!viewer) return;
+  viewer.paper = paper;
+  viewer.readColors();
+  viewer.layout();
+  viewer.drawNow();
+  if (paper) snapshot(viewer.canvas);
 }
 
-/** Ctrl+P waits for the specimens. A browser's menu does not ask: there the sheet says which are missing. */
-function printing(drawn: Promise<void>) {
-  const ready = () => document.documentElement.dataset.ready === "true";
-  addEventListener("keydown", (e) => {
-    if (!(e.ctrlKey || e.metaKey) || e.key.toLowerCase() !== "p" || ready()) return;
-    e.preventDefault();
-    void drawn.then(() => print());
-  });
+/** A canvas of WebGL with a new size is blank on paper until its next frame: a copy is not. */
+function snapshot(canvas: HTMLCanvasElement) {
+  const copy = h("canvas", { class: "snapshot", width: String(canvas.width), height: String(canvas.height) });
+  copy.getContext("2d")!.drawImage(canvas, 0, 0);
+  canvas.after(copy);
+}
+
+/** Who, what for, from which files, when: what nobody has said is left out. */
+function cover() {
+  const lines = [...report.head, ["program", report.program]].flatMap(([name, text]) => (text ? [h("div", {}, h("dt", {}, name), h("dd", {}, text))] : []));
+  document.getElementById("subtitle")!.after(h("dl", { class: "cover" }, ...lines));
+  const of = report.head.find(([name]) => name === "written");
+  paperFoot([report.name, report.head.find(([name]) => name === "project")?.[1], of?.[1], report.program].filter(Boolean).join(" · "));
 }
 
 /** What was tested: of one rock there are many reports. */
@@ -675,20 +719,26 @@ function start() {
   const n = report.tests.length;
   const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
   const about = report.calibration ? "calibration" : report.figures.study ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
-  document.getElementById("subtitle")!.textContent = `${about} · ${report.program}`;
-  colours();
+  document.getElementById("subtitle")!.textContent = about;
+  cover();
+  theme(() => {
+    viewer?.readColors();
+    viewer?.draw();
+  });
   main.append(...notices().filter((x): x is HTMLElement => x instanceof HTMLElement));
   calibration();
   studies();
   effects();
   if (n > 0) {
     specimens();
+    values();
     curves();
     if (!report.calibration) anisotropy(); // of a calibration: above, over all packings
     roses();
     tables();
-  }
+  } else values();
   texts();
+  reservations();
   redraw(false, charts.slice(0, 1));
   update();
   viewer?.layout();
@@ -699,7 +749,8 @@ function start() {
       document.documentElement.dataset.ready = "true";
       viewer?.layout();
     });
-  printing(drawn);
+  const print = printing(drawn, layOut);
+  document.getElementById("actions")!.prepend(saver("Print or PDF", "Print or PDF", print), saver("Tables .xlsx", "Tables .xlsx", () => saveFile(report.name, "xlsx", allTables())));
   // For tests: the script time of the last frames.
   (window as unknown as { phyllite: unknown }).phyllite = { viewer, moveTo, report };
 }

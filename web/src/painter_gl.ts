@@ -142,6 +142,9 @@ class Program {
   }
 }
 
+/** Draws `n` instances of one of Loaded's arrays; `set`: what only this program needs. */
+type Layer = (program: Program, array: number, n: number, set: () => void) => void;
+
 /** What the graphics processor holds of one specimen. */
 interface Loaded {
   what: Pictured;
@@ -226,37 +229,39 @@ export class GlPainter implements Painter {
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, l.textures[0]);
     gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, l.textures[1]);
-    use(this.disc);
+    const layer: Layer = (p, array, n, set) => {
+      use(p);
+      gl.uniform1i(p.at("discs"), 1);
+      gl.bindVertexArray(l.arrays[array]);
+      set();
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, n);
+    };
+    layer(this.disc, 0, l.scene.discs.length / 3, () => this.setDiscs(state, range));
+    if (state.forces) this.paintForces(l, strain, layer);
+    if (state.cracks) layer(this.crack, 2, lastUpTo(l.what.cracks.strain, strain) + 1, () => gl.uniform3fv(this.crack.at("kinds"), this.inks.kinds));
+  }
+
+  private setDiscs(state: ViewState, range: number) {
+    const gl = this.gl;
     gl.uniform1i(this.disc.at("field"), ["bedding", "magnitude", "horizontal", "vertical"].indexOf(state.field));
     gl.uniform1f(this.disc.at("range"), range);
     gl.uniform3fv(this.disc.at("tones"), this.inks.tones);
     gl.uniform3fv(this.disc.at("ramp"), state.field === "magnitude" ? ramp : diverging);
     gl.uniform1f(this.disc.at("dim"), state.forces ? 0.65 : 0);
-    gl.bindVertexArray(l.arrays[0]);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, l.scene.discs.length / 3);
-    if (state.forces) this.paintForces(l, strain, use);
-    if (!state.cracks) return;
-    use(this.crack);
-    gl.uniform1i(this.crack.at("discs"), 1);
-    gl.uniform3fv(this.crack.at("kinds"), this.inks.kinds);
-    gl.bindVertexArray(l.arrays[2]);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lastUpTo(l.what.cracks.strain, strain) + 1);
   }
 
-  private paintForces(l: Loaded, strain: number, use: (p: Program) => void) {
+  private paintForces(l: Loaded, strain: number, layer: Layer) {
     const gl = this.gl;
     if (l.scene.forceStrains.length === 0) return;
     const field = Math.max(0, lastUpTo(l.scene.forceStrains, strain));
-    use(this.force);
-    gl.uniform1i(this.force.at("discs"), 1);
-    gl.uniform1f(this.force.at("width"), 0.0011 * Math.min(1, l.scene.forceMax[field] / l.forceScale));
-    gl.uniform3fv(this.force.at("push"), this.inks.push);
-    gl.uniform3fv(this.force.at("pull"), this.inks.pull);
-    gl.bindVertexArray(l.arrays[1]);
-    gl.bindBuffer(gl.ARRAY_BUFFER, l.forceBuffer);
     const n = l.scene.links.length / 2;
-    gl.vertexAttribPointer(2, 1, gl.BYTE, false, 0, field * n);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, n);
+    layer(this.force, 1, n, () => {
+      gl.uniform1f(this.force.at("width"), 0.0011 * Math.min(1, l.scene.forceMax[field] / l.forceScale));
+      gl.uniform3fv(this.force.at("push"), this.inks.push);
+      gl.uniform3fv(this.force.at("pull"), this.inks.pull);
+      gl.bindBuffer(gl.ARRAY_BUFFER, l.forceBuffer);
+      gl.vertexAttribPointer(2, 1, gl.BYTE, false, 0, field * n);
+    });
   }
 
   private buffer(data: ArrayBufferView): WebGLBuffer {

@@ -5,8 +5,9 @@ import { FlatPainter } from "./painter_flat";
 import { GlPainter } from "./painter_gl";
 
 export const headHeight = 24; // above a specimen: its name [CSS pixels]
-const footHeight = 42; // below: stress and cracks, two lines
-const leastHeight = 200; // of one specimen
+const footHeight = 62; // below: strength, that of a table, stress and cracks
+const paperFootHeight = 34; // on paper nothing moves: its strength, and that of a table
+const leastHeight = 200; // of one specimen; on paper the most, so that page one has room for them
 
 function percentile(values: Float32Array, part: number): number {
   values.sort();
@@ -60,6 +61,7 @@ export class Viewer {
   readonly state: ViewState = { field: "bedding", forces: false, cracks: true, magnify: 1, zoom: 1, x: 0, y: 0, only: null };
   cells: Cell[] = [];
   height = 0; // of the canvas [CSS pixels]
+  paper = false; // the sheet is narrower than most screens, and printers are sharper
   scriptTime: number[] = []; // milliseconds of the last frames
   private loaded: (Loaded | null)[];
   private unreadable = new Set<number>();
@@ -129,17 +131,17 @@ export class Viewer {
 
   /** Divides the canvas into cells: as many columns as keep a specimen readable. */
   layout() {
-    const [head, foot] = this.rims;
+    const [head, foot] = this.paper ? [headHeight, paperFootHeight] : this.rims;
     const shown = this.state.only === null ? this.tests.map((_, i) => i) : [this.state.only];
     const width = this.canvas.clientWidth;
     const first = this.loaded.find((l) => l !== null);
     const aspect = first ? first.scene.height / first.scene.width : 2;
-    const least = width < 520 ? 80 : 130;
+    const least = this.paper || width < 520 ? 80 : 130;
     const columns = Math.max(1, Math.min(shown.length, Math.floor(width / least)));
     const lines = Math.ceil(shown.length / columns);
     const even = Math.ceil(shown.length / lines);
     const cellWidth = width / even;
-    const limit = shown.length === 1 ? Math.max(leastHeight, window.innerHeight - head - foot - this.besides()) : 620;
+    const limit = this.paper ? leastHeight : shown.length === 1 ? Math.max(leastHeight, window.innerHeight - head - foot - this.besides()) : 620;
     const cellHeight = Math.min(limit, cellWidth * aspect);
     this.cells = shown.map((test, k) => ({
       test,
@@ -151,7 +153,7 @@ export class Viewer {
     const height = lines * (cellHeight + head + foot);
     this.height = height;
     this.canvas.style.aspectRatio = `${width} / ${height}`; // kept on paper, which is of another width
-    const dpr = Math.min(2, window.devicePixelRatio || 1);
+    const dpr = this.paper ? 3 : Math.min(2, window.devicePixelRatio || 1);
     const [w, h] = [Math.round(width * dpr), Math.round(height * dpr)];
     if (this.canvas.width !== w) this.canvas.width = w;
     if (this.canvas.height !== h) this.canvas.height = h;

@@ -16,7 +16,7 @@
 // motion: an account of first order in the step.)
 //
 // Closure and rotation count from where the interface is free of force, slide since it was made. Whole, it is
-// a parallel bond of length 2R for any N (beta = 0 for N = 1); only breakage knows the elements.
+// a parallel bond of length 2R for any N (beta_bar = 0 for N = 1); only breakage knows the elements.
 //
 // Source: Potyondy 2012 (ARMA 12-501); Itasca PFC `flatjoint` (fj_nr, fj_ten, fj_coh, fj_fa, fj_fric). The
 // law works with forces: k_n, k_s, S_0 and capacity are those of the whole interface, stress times 2R. Left

@@ -3,10 +3,10 @@
 //
 //   F_n = k_n closure + c_n d(closure)/dt          while closure > 0; modes 1 and 3: never below 0
 //   F_s = F_s(spring) - c_s d(slide)/dt            modes 2 and 3: no dashpot while the spring slips
-//   c = 2 beta sqrt(m_c k),  m_c = m1 m2/(m1 + m2) (a wall: m1);  beta = 1 is critical
-// Restitution of a central impact, s = sqrt(1 - beta^2):
-//   mode 0 and 2:  e = exp(-pi beta/s)                                         ends where closure is 0 again
-//   mode 1 and 3:  e = exp(-(beta/s) (pi - atan2(2 beta s, 1 - 2 beta^2)))     ends where the force is 0
+//   c = 2 xi sqrt(m_c k),  m_c = m1 m2/(m1 + m2) (a wall: m1);  xi = 1 is critical
+// Restitution of a central impact, s = sqrt(1 - xi^2):
+//   mode 0 and 2:  e = exp(-pi xi/s)                                     ends where closure is 0 again
+//   mode 1 and 3:  e = exp(-(xi/s) (pi - atan2(2 xi s, 1 - 2 xi^2)))     ends where the force is 0
 //
 // Source: Cundall & Strack 1979 (contact damping); modes and names as in Itasca PFC's `linear` (dp_mode). The
 // closed forms follow from m_c x'' + c x' + k x = 0, x(0) = 0 (derived again in tests and in V9). The spring
@@ -50,8 +50,8 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
   return r;
 }
 
-/// c = 2 beta sqrt(m_c k) [N s/m per m] of the fraction beta of critical damping, m_c in kg per m.
-inline double coefficient(double beta, double m_c, double k) { return 2.0 * beta * std::sqrt(m_c * k); }
+/// c = 2 xi sqrt(m_c k) [N s/m per m] of the fraction xi of critical damping, m_c in kg per m.
+inline double coefficient(double xi, double m_c, double k) { return 2.0 * xi * std::sqrt(m_c * k); }
 
 inline constexpr ParameterInfo schema[] = {
     linear::schema[0],  // k_n, k_s and mu of the springs

@@ -4,7 +4,7 @@
 //   F_n = kb_n A closure
 //   F_s <- F_s - kb_s A d_slide
 //   M   = -kb_n I rotation
-//   breaks in tension where   -F_n/A + beta |M| R_bar/I >= sigma_c    (tested first)
+//   breaks in tension where   -F_n/A + beta_bar |M| R_bar/I >= sigma_c    (tested first)
 //   breaks in shear where     |F_s|/A >= c + (F_n/A) tan(phi)
 //   R_bar = lambda min(R1, R2);  A = 2 R_bar t;  I = (2/3) R_bar^3 t;  kb_n = E_b/(R1 + R2) [Pa/m];  t = 1 m
 // Closure and rotation (of grain 2 against grain 1) count since bonding: the total form of dF_n = kb_n A
@@ -12,9 +12,9 @@
 // contact beside it stays.
 //
 // Source: Potyondy & Cundall 2004 (IJRMMS 41:1329-1364), section on the parallel bond; the moment
-// contribution beta and the cohesion-friction strength are those of Itasca PFC's `linearpbond` (pb_mcf,
+// contribution beta_bar and the cohesion-friction strength are those of Itasca PFC's `linearpbond` (pb_mcf,
 // pb_coh, pb_fa). The law works with forces, not stresses: capacity = sigma_c A and S_0 = tau_c A [N/m], arm
-// = beta A R_bar/I [1/m]. Left out: gradual softening; re-bonding.
+// = beta_bar A R_bar/I [1/m]. Left out: gradual softening; re-bonding.
 #pragma once
 #include "laws/law.hpp"
 
@@ -25,7 +25,7 @@ struct Parameters {
   R k_n;             ///< kb_n A [N/m per m], > 0
   R k_s;             ///< kb_s A [N/m per m], > 0
   R k_m;             ///< kb_n I [N], >= 0
-  R arm;             ///< beta A R_bar / I = 3 beta / R_bar [1/m], >= 0
+  R arm;             ///< beta_bar A R_bar / I = 3 beta_bar / R_bar [1/m], >= 0
   R S_0;             ///< shear capacity at zero normal force, tau_c A [N/m], > 0
   R tan_phi;         ///< slope of the shear strength [-], >= 0
   R extra_strength;  ///< added to both capacities [N/m]: 0, or huge while breakage is switched off

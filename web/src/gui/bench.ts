@@ -79,8 +79,7 @@ function written(key: Key, value: string, kept: boolean): string {
 /** As it stands in a recipe; `value`: as written() gives it. */
 const asToml = (key: Key, value: string) => (["quantity", "choice", "text"].includes(key.kind) ? quoted(value) : value);
 
-/** Kinds of test that alone have a key, as its meaning says: "biaxial: lateral stress". */
-const kindsOf = (key: Key, kinds: string[]) => kinds.filter((k) => new RegExp(`(^|; )${k}: `).test(key.meaning));
+const kindsOf = (key: Key) => key.tests ?? [];
 
 /** A name that says what is tested: biaxial-10-MPa. */
 function proposal(kind: string, telling: string, taken: string[]): string {
@@ -93,7 +92,6 @@ function proposal(kind: string, telling: string, taken: string[]): string {
 export function benchView(rock: string, project: Project, changed: () => void): BenchView {
   const store = `phyllite test ${project.folder} ${rock}`;
   const keys = project.keys.filter((k) => k.path !== "test.kind");
-  const kinds = project.kinds.map((k) => k.name);
   const isKept = (k: Key) => project.kinds.some((kind) => kind.kept_stress === k.path);
   let choices: Choices = { kind: project.kinds[0]?.name ?? "uniaxial", changes: {}, name: "", byHand: null, started: [], calibration: "", ...chosenBefore<Choices>(store) };
   let recipe: Recipe | null = null;
@@ -138,7 +136,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     front,
     fold("More", more),
     general,
-    h("div", { class: "field" }, h("label", { for: "test-recipe" }, "Recipe"), area.node),
+    h("div", { class: "field as-text" }, h("label", { for: "test-recipe" }, "Recipe"), area.node),
     handNote,
     h("div", { class: "fields" }, field("Name of the test", name)),
     h("div", { class: "tools" }, run),
@@ -152,7 +150,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   function control(k: Key) {
     const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v), { placeholder: isKept(k) ? "such as 10" : "not given" });
     const problem = h("p", { class: "objection" });
-    const [only, another] = kindsOf(k, kinds); // it is seen with that kind of test alone
+    const [only, another] = kindsOf(k); // it is seen with that kind of test alone
     const meaning = only && !another ? k.meaning.replace(`${only}: `, "") : k.meaning;
     const hint = [meaning, isKept(k) ? "above 0; in MPa, or with another unit" : k.range.replaceAll("<=", "≤")];
     const name = label(k.path) + (isKept(k) ? " [MPa]" : "");
@@ -166,7 +164,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     change({ changes: { ...choices.changes, [k.path]: wanted }, byHand });
   }
 
-  const own = () => keys.filter((k) => kindsOf(k, kinds).includes(choices.kind));
+  const own = () => keys.filter((k) => kindsOf(k).includes(choices.kind));
   const telling = () => choices.changes[own().find((k) => k.kind === "quantity")?.path ?? ""] ?? "";
   const testName = () => choices.name || proposal(choices.kind, telling(), taken);
 
@@ -197,7 +195,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     if (document.activeElement !== area.node) area.reveal(area.node.value.split("\n").indexOf("[test]"));
   }
 
-  const applies = (k: Key) => always.includes(k.path) || kindsOf(k, kinds).length === 0 || own().includes(k);
+  const applies = (k: Key) => always.includes(k.path) || kindsOf(k).length === 0 || own().includes(k);
 
   /** What was chosen for another kind of test is not said of this one. */
   function relevant(): Record<string, string> {
@@ -229,7 +227,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     keyed(general, rest, () => rest.map((p) => h("li", {}, p.key && `${p.key}: `, p.text)));
     if (document.activeElement !== name) name.value = testName();
     const file = `${rock}-tests/${testName()}`;
-    keyed(commandPlace, file, () => [command(`phyllite run ${argument(`${file}.toml`)} --out ${argument(file)}`), h("p", { class: "muted" }, "The recipe is saved as ", h("code", {}, `${file}.toml`))]);
+    keyed(commandPlace, file, () => [command(`phyllite run ${argument(`${file}.toml`)} --out ${argument(file)}`), h("p", { class: "muted as-text" }, "The recipe is saved as ", h("code", {}, `${file}.toml`))]);
   }
 
   function showTests(tests: RockTest[]) {

@@ -3,15 +3,26 @@ import { Child, fold, h, table } from "../dom";
 import { draw } from "../figure";
 import { narrowing } from "./charts";
 import { bar, between, clock, duration } from "./clock";
-import { argument, attempt, button, command, counted, fileFold, fileLink, keyed, objections, stopper, worded } from "./controls";
+import { argument, attempt, button, command, counted, field, fileFold, fileLink, input, keyed, objections, plainly, stopper, worded } from "./controls";
 import { Figures } from "./figures";
 import { liveView } from "./live";
-import { optionForm } from "./options";
-import { Brief, Calibrating, Progress, Project, RockAnswer, ask } from "./server";
+import { OptionForm, optionForm } from "./options";
+import { Rock } from "./rock";
+import { Brief, Calibrating, Checked, Progress, Project, RockAnswer, ask } from "./server";
+import { get } from "./toml";
 
 export interface CalibrationView {
   node: HTMLElement;
-  show(answer: RockAnswer, dirty: boolean, gone: boolean): void; // gone: there are no files to read
+  show(answer: RockAnswer, now: Pick<Rock, "dirty" | "gone" | "text">): void; // gone: there are no files to read
+  mark(checked: Checked): void;
+}
+
+/** What a calibration does to the rest of the page. */
+export interface Around {
+  ready: () => Promise<void>; // saves what has to be saved; it throws where that cannot be
+  changed: () => void;
+  choose: (folder: string) => void; // opens another calibration of the rock
+  grains: (size: string | null) => void; // null: as the program proposes
 }
 
 /** Has left no word on how it goes yet. */
@@ -63,14 +74,15 @@ function watch(rock: string) {
   };
 }
 
-function verdict(c: Calibrating): Child[] {
+/** `anew`: writes the report again, with what the rock file says of its first page now. */
+function verdict(c: Calibrating, anew: () => void): Child[] {
   if (!c.verdict) return [];
   const good = c.verdict.status.startsWith("calibrated");
   const report = c.files.find((f) => f.endsWith("report.html"));
   const list = (items: string[]) => h("ul", { class: "findings" }, ...items.map((s) => h("li", {}, ...worded(s, c.files))));
   return [
     h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, ...worded(c.verdict.sentence, c.files))),
-    report ? h("p", {}, fileLink(report, "Open the report")) : null,
+    report ? h("p", { class: "tools" }, fileLink(report, "Open the report"), button("Write the report anew", anew, { class: "link" })) : null,
     report ? command(`phyllite report ${argument(c.folder)}`) : null,
     list(c.verdict.lines ?? []), // files of earlier versions have none
     c.verdict.findings.length > 0 && fold(counted(c.verdict.findings.length, "finding"), list(c.verdict.findings.map((f) => f.text))),
@@ -101,11 +113,38 @@ function calibrationList(all: Brief[], openOne: string, choose: (folder: string)
   );
 }
 
-/** `ready` saves what has to be saved; it throws where that cannot be. `choose` opens another calibration of the rock. */
-export function calibrationView(rock: string, project: Project, ready: () => Promise<void>, changed: () => void, choose: (folder: string) => void): CalibrationView {
+/** "1,2" and "1.2" are in millimetres. */
+const asSize = (text: string) => (/^\d+([.,]\d+)?$/.test(text.trim()) ? `${text.trim().replace(",", ".")} mm` : text.trim());
+
+/** What to expect before anything runs: tests and time by the effort, the errors by the maps. */
+function beforehand(options: OptionForm, grains: Around["grains"]) {
+  const size = input((v) => grains(v.trim() === "" ? null : asSize(v)), { placeholder: "as the program proposes" });
+  const hint = h("span");
+  const place = field("Grain size of the model [mm]", size, hint);
+  const errors = h("p");
+  return {
+    fields: place,
+    errors,
+    show(toml: string) {
+      const said = get(toml, "", "grain_size");
+      if (document.activeElement !== size) size.value = said.replace(/\s*mm$/, "");
+      size.disabled = get(toml, "", "recipe") !== "";
+    },
+    mark(c: Checked) {
+      options.annotate("effort", Object.fromEntries(c.course.map(({ effort, numbers: n }) => [effort, [between(n.least_seconds, n.most_seconds), `${n.least_tests} to ${n.most_tests} tests, ${between(n.least_seconds, n.most_seconds)}`]])));
+      const of = c.grains && `${c.grains.number} grains of ${(1e3 * c.grains["diameter [m]"]).toPrecision(3)} mm. `;
+      hint.textContent = `${of ?? ""}${size.disabled ? "The recipe says it." : "Half the size: about eight times as long."}`;
+      keyed(errors, c.forecast, () => (c.forecast.length > 0 ? [h("strong", {}, "To be expected: "), plainly(c.forecast[0].text)] : []));
+    },
+  };
+}
+
+export function calibrationView(rock: string, project: Project, { ready, changed, choose, grains }: Around): CalibrationView {
   let now: Calibrating | null = null;
   let opened = ""; // its folder; "": it is not there yet
   const options = optionForm(project.options, `phyllite calibration ${project.folder} ${rock}`, () => describe());
+  const ahead = beforehand(options, grains);
+  options.node.prepend(ahead.fields);
   const wrong = objections();
   const place = { state: h("p", { class: "state", role: "status" }), verdict: h("div"), command: h("div"), log: h("pre", { tabindex: "0" }) };
   const output = fold("Output of the program", place.log);
@@ -124,6 +163,12 @@ export function calibrationView(rock: string, project: Project, ready: () => Pro
   const start = button("Start calibration", () => begin({}), { class: "main" });
   const goOn = button("Go on", () => begin({ resume: true }), { class: "main" });
   const again = button("Calibrate anew", () => begin({ anew: true }));
+  const anew = () =>
+    void attempt(wrong, async () => {
+      await ready();
+      await ask("/api/report", { name: rock, calibration: opened });
+      changed();
+    });
   const stop = stopper("Stop", wrong, async () => {
     await ask("/api/stop", { name: rock, test: null, calibration: opened });
     changed();
@@ -142,8 +187,10 @@ export function calibrationView(rock: string, project: Project, ready: () => Pro
   }
 
   return {
-    node: h("div", {}, list, place.state, place.verdict, options.node, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, live.node, place.command, files.node, output),
-    show(answer, dirty, gone) {
+    node: h("div", {}, list, place.state, place.verdict, options.node, ahead.errors, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, live.node, place.command, files.node, output),
+    mark: ahead.mark,
+    show(answer, { dirty, gone, text }) {
+      ahead.show(text.toml);
       const { calibration: c, calibrations } = answer;
       now = c;
       opened = calibrations.some((b) => b.folder === c.folder) ? c.folder : "";
@@ -153,7 +200,7 @@ export function calibrationView(rock: string, project: Project, ready: () => Pro
       const elsewhere = calibrations.some((b) => b.state === "running" && b.folder !== c.folder); // one at a time
       const running = c.state === "running";
       keyed(place.state, [c.state, c.here, c.exit_code], () => [state(c)]);
-      options.node.hidden = running || gone;
+      options.node.hidden = ahead.errors.hidden = running || gone;
       // a start that failed at once has left nothing to go on with
       start.hidden = gone || !(c.state === "new" || (c.state === "failed" && !c.resumes));
       start.textContent = dirty ? "Save and start calibration" : "Start calibration";
@@ -165,7 +212,7 @@ export function calibrationView(rock: string, project: Project, ready: () => Pro
       const progress = c.progress?.state === "running" || !running ? c.progress : justBegun; // else of the run before
       live.node.hidden = progress === null;
       if (progress) live.show(progress, c.seconds, c.folder);
-      keyed(place.verdict, [c.verdict, c.files], () => verdict(c));
+      keyed(place.verdict, [c.verdict, c.files], () => verdict(c, anew));
       files.show(c.files);
       const log = c.log || (c.progress?.said ?? []).join("\n"); // one that was started elsewhere has left no output
       output.hidden = log === "";

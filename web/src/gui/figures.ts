@@ -1,5 +1,6 @@
 // Charts whose numbers come and change while the page is open.
 import { Chart, figure, h } from "../dom";
+import { chartSavers } from "../save";
 
 /** A grid of charts, one per name; each is made once and drawn again with new numbers. */
 export class Figures {
@@ -7,7 +8,11 @@ export class Figures {
   private made = new Map<string, { figure: Chart; draw: (width: number) => Node; shown: string; caption: Text }>();
   private observer = new ResizeObserver(() => this.made.forEach((m) => m.figure.redraw()));
 
-  constructor(style: string) {
+  /** `saved`: each can be taken out as a file. */
+  constructor(
+    style: string,
+    private readonly saved = false,
+  ) {
     this.node = h("div", { class: style });
   }
 
@@ -33,6 +38,7 @@ export class Figures {
     const words = document.createTextNode(caption);
     const entry = { shown, draw, caption: words, figure: figure(name, words, (width) => this.made.get(name)!.draw(width)) };
     this.made.set(name, entry);
+    if (this.saved) entry.figure.node.append(chartSavers(entry.figure.place, name));
     this.node.append(entry.figure.node);
     this.observer.observe(entry.figure.place);
   }

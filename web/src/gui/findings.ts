@@ -1,6 +1,6 @@
 // What the check says of the table: how it was read, what it holds, what it determines.
 import { Child, fold, h, table } from "../dom";
-import { axisLabel, draw, legend } from "../figure";
+import { Panel, axisLabel, draw, legend } from "../figure";
 import { argument, command, counted, keyed, plainly } from "./controls";
 import { Figures } from "./figures";
 import { Checked, Finding, Target, isUnbedded } from "./server";
@@ -9,6 +9,7 @@ export interface FindingsView {
   node: HTMLElement;
   busy(words: string): void;
   show(checked: Checked, words: string): void;
+  redraw(): void; // the angle that is looked at is another
 }
 
 const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, plainly(s)))) : null);
@@ -38,7 +39,9 @@ function determined(checked: Checked): Child {
   );
 }
 
-export function findingsView(rock: string): FindingsView {
+/** `specimen` stands above all; `marked` adds to a panel what is known at its angle. */
+export function findingsView(rock: string, specimen: HTMLElement, marked: (panel: Panel) => Panel): FindingsView {
+  let panels: Panel[] = [];
   const state = h("span", { role: "status" });
   const busy = h("span", { class: "muted" }); // not read aloud at every key
   const doubts = h("div"); // before all else
@@ -46,8 +49,16 @@ export function findingsView(rock: string): FindingsView {
   const charts = new Figures("grid small");
   const signs = h("div");
   const words = h("div");
+  const redraw = () =>
+    charts.show(
+      panels.map((p) => {
+        const shown = marked(p);
+        return { name: [axisLabel(p.y), p.title].filter(Boolean).join(", "), shown, caption: p.caption, draw: (width) => draw(shown, width, { bare: true }).node };
+      }),
+    );
   return {
-    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), doubts, forecast, charts.node, signs, words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), doubts, specimen, charts.node, signs, forecast, words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    redraw,
     busy: (words) => (busy.textContent = words),
     show(checked, says) {
       busy.textContent = "";
@@ -55,8 +66,8 @@ export function findingsView(rock: string): FindingsView {
       const targets = checked.targets ?? [];
       const remarks = [...checked.models, ...texts(checked.limits), ...checked.in_maps, ...texts(checked.forecast.slice(1))];
       const bedded = !isUnbedded(checked);
-      const panels = bedded ? (checked.figure?.panels ?? []) : [];
-      charts.show(panels.map((p) => ({ name: [axisLabel(p.y), p.title].filter(Boolean).join(", "), shown: p, caption: p.caption, draw: (width) => draw(p, width, { bare: true }).node })));
+      panels = bedded ? (checked.figure?.panels ?? []) : [];
+      redraw();
       keyed(signs, panels.map((p) => p.series.map((s) => s.name)), () => [panels.length > 0 && legend(panels)]);
       keyed(doubts, checked.doubts, () => checked.doubts.map((d) => h("p", { class: "notice" }, d.text)));
       keyed(forecast, checked.summary, () => [list(texts(checked.summary.filter((f) => !checked.doubts.some((d) => d.text === f.text))))]);

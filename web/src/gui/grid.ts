@@ -20,7 +20,7 @@ export class Grid {
    *  place of another. */
   constructor(
     private readonly edited: (text: string, step: string) => void,
-    private readonly undo: () => void,
+    private readonly steps: { undo: () => void; redo: () => void },
     private readonly leave: () => void,
     private readonly names: string[], // that a column may have
     private readonly replaced: () => void,
@@ -177,7 +177,9 @@ export class Grid {
   private pressed(e: KeyboardEvent) {
     const i = e.target;
     if (!(i instanceof HTMLInputElement) || e.altKey) return;
-    if ((e.ctrlKey || e.metaKey) && e.key.toLowerCase() === "z") return this.act(e, () => this.undo());
+    const key = e.ctrlKey || e.metaKey ? e.key.toLowerCase() : "";
+    if (key === "y" || (key === "z" && e.shiftKey)) return this.act(e, () => this.steps.redo());
+    if (key === "z") return this.act(e, () => this.steps.undo());
     if (e.ctrlKey || e.metaKey) return;
     const moves: Record<string, () => void> = {
       Enter: () => this.move(e.shiftKey ? -1 : 1, 0),

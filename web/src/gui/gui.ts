@@ -6,12 +6,16 @@ import { goTo, onReturn, placeNow } from "./address";
 import { attempt, button, counted, keyed, nameOptions, objections } from "./controls";
 import { draft, onDraft } from "./drafts";
 import { findingsView } from "./findings";
+import { grabView } from "./grab";
 import { redrawLive } from "./live";
+import { resultsView } from "./results";
 import { Rock } from "./rock";
 import { rockFileView } from "./rockfile";
 import { Checked, Gone, Project, Refused, RockAnswer, ask, askProject, onConnection } from "./server";
 import { StartView, startView } from "./start";
+import { steps, textSwitch } from "./steps";
 import { TableView, tableView } from "./table";
+import { quoted, set } from "./toml";
 
 const main = document.getElementById("main")!;
 const contents = document.getElementById("contents")!;
@@ -22,7 +26,6 @@ let open: { rock: Rock; table: TableView; show: () => void; meet: (answer: RockA
 let starting: StartView;
 
 function section(id: string, title: string, ...children: Node[]): HTMLElement {
-  contents.append(h("li", {}, h("a", { href: `#${id}` }, title)));
   return h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);
 }
 
@@ -73,18 +76,23 @@ async function created(name: string) {
 let recheck = () => {};
 
 function layOut(answer: RockAnswer) {
-  contents.querySelectorAll("li:not(:first-child)").forEach((l) => l.remove());
   const rock = new Rock(project.folder, answer, () => show());
   const name = rock.name;
-  const table = tableView(project, (t, step) => rock.edit({ table: t }, step), () => rock.undo());
+  const table = tableView(project, (t, step) => rock.edit({ table: t }, step), () => rock.undo(), () => rock.redo());
   const rockFile = rockFileView(project, (t, step) => rock.edit({ toml: t }, step));
-  const findings = findingsView(name);
-  const calibration = calibrationView(name, project, ready, refresh, (folder) => void attempt(opening, () => visit(name, folder)));
+  const grab = grabView(name, { turned: () => findings.redraw(), changed: refresh });
+  const findings = findingsView(name, grab.node, grab.marked);
+  const grains = (size: string | null) => rock.edit({ toml: set(rock.text.toml, "", "grain_size", size === null ? null : quoted(size)) }, "grain size");
+  const calibration = calibrationView(name, project, { ready, changed: refresh, choose: (folder) => void attempt(opening, () => visit(name, folder)), grains });
   const bench = benchView(name, project, refresh);
+  const results = resultsView(name);
   const conflict = h("div");
   const wrong = objections();
+  const way = steps();
+  contents.replaceChildren(contents.firstElementChild!, ...way.items);
   let checked: Checked | null = null;
   let asked = 0;
+  let fresh = -1; // which was answered last
   let last = "";
   let timer = 0;
 
@@ -93,13 +101,15 @@ function layOut(answer: RockAnswer) {
     h("div", { class: "two" }, section("table", "Table", table.node), section("check", "What the table says", findings.node), section("rock-file", "Rock file", rockFile.node)),
     section("calibration", "Calibration", calibration.node),
     section("tests", "Tests on the calibrated rock", bench.node),
+    section("results", "Results", results.node),
   );
 
   const state = h("p", { role: "status" });
   const save = button("Save", () => void attempt(wrong, () => rock.save()), { class: "main", "aria-keyshortcuts": "Control+S" });
   const discard = button("Discard changes", () => rock.discard());
-  const back = button("Undo", () => rock.undo());
-  saving.replaceChildren(state, save, back, discard, wrong);
+  const back = button("Undo", () => rock.undo(), { "aria-keyshortcuts": "Control+Z" });
+  const forth = button("Redo", () => rock.redo(), { "aria-keyshortcuts": "Control+Y" });
+  saving.replaceChildren(state, save, back, forth, discard, wrong);
 
   function show() {
     table.show(rock.text.table, answer.table_file);
@@ -107,9 +117,11 @@ function layOut(answer: RockAnswer) {
     keyed(state, rock.dirty, () => [h("span", { class: rock.dirty ? "unsaved" : "muted" }, rock.dirty ? `${name}: not saved` : `${name}: saved`)]);
     save.disabled = !rock.dirty;
     back.disabled = !rock.canUndo;
+    forth.disabled = !rock.canRedo;
     discard.hidden = !rock.dirty || rock.gone;
     save.title = `writes ${name}.toml${rock.text.table === null ? "" : `, ${answer.table_file}`}`;
-    calibration.show(answer, rock.dirty, rock.gone);
+    calibration.show(answer, rock);
+    walked();
     keyed(conflict, [rock.theirs, rock.gone], () => (rock.gone ? [gone()] : rock.theirs ? [choose()] : []));
     schedule();
     listRocks();
@@ -130,6 +142,22 @@ function layOut(answer: RockAnswer) {
     );
   }
 
+  /** How far the rock has come. */
+  function walked() {
+    const problems = checked?.problems ?? [];
+    const state = rock.gone ? "its files are gone" : rock.dirty ? "not saved" : "saved";
+    way.show("table", problems.length > 0 || rock.gone ? "wrong" : rock.dirty ? "waiting" : "done", state);
+    if (fresh === asked) way.show("check", problems.length > 0 ? "wrong" : "done", problems.length > 0 ? `${problems.length} to mend` : "in order");
+    else way.show("check", "running", "checking");
+    const c = answer.calibration, tests = answer.tests;
+    const done = c.verdict?.status ?? (c.state === "new" ? "to be started" : c.state);
+    way.show("calibration", c.state === "running" ? "running" : c.state === "failed" ? "wrong" : c.state === "finished" ? "done" : "waiting", c.state === "running" ? "running" : done);
+    const over = tests.filter((t) => t.state === "finished").length;
+    const ready = answer.calibrations.some((b) => b.tested);
+    way.show("tests", tests.some((t) => t.state === "running") ? "running" : over > 0 ? "done" : "waiting", tests.some((t) => t.state === "running") ? "running" : over > 0 ? `${counted(over, "test")} made` : ready ? "ready" : "waits for a calibration");
+    way.show("results", c.verdict || over > 0 ? "done" : "waiting", c.verdict || over > 0 ? "to be seen" : "none yet");
+  }
+
   function schedule() {
     const now = JSON.stringify([rock.text, rock.text.table === null && answer.stamp]); // a workbook changes under the page
     if (now === last) return;
@@ -138,6 +166,7 @@ function layOut(answer: RockAnswer) {
     clearTimeout(timer);
     timer = window.setTimeout(check, 400);
     findings.busy("Checking …");
+    walked();
   }
 
   /** Whether the answer is of the text as it stands now. */
@@ -147,6 +176,10 @@ function layOut(answer: RockAnswer) {
       const answered = await ask<Checked>("/api/check", { name, ...rock.text });
       if (mine !== asked) return false;
       checked = answered;
+      fresh = mine;
+      calibration.mark(checked);
+      grab.mark(checked, rock.text);
+      walked();
       table.mark(checked);
       rockFile.mark(checked);
       const n = checked.problems.length;
@@ -173,8 +206,11 @@ function layOut(answer: RockAnswer) {
   function meet(next: RockAnswer) {
     answer = next;
     rock.meet(next);
-    calibration.show(next, rock.dirty, rock.gone);
+    calibration.show(next, rock);
     bench.show(next);
+    results.show(next);
+    grab.show(next, rock.text);
+    walked();
     if (open) open.running = [next.calibration, ...next.calibrations].some((c) => c.state === "running") || next.tests.some((t) => t.state === "running");
   }
 
@@ -202,7 +238,7 @@ async function arrive() {
 function leave() {
   if (!open) return;
   open = null;
-  contents.querySelectorAll("li:not(:first-child)").forEach((l) => l.remove());
+  contents.replaceChildren(contents.firstElementChild!);
   place.replaceChildren();
   saving.replaceChildren();
   document.getElementById("title")!.textContent = document.title = "Phyllite";
@@ -305,9 +341,11 @@ async function start() {
     return;
   }
   nameOptions(project.options);
-  document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${project.threads} threads`;
+  document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${counted(project.threads, "thread")}`;
   folder.textContent = "A rock is two files of this folder: a table of tests and a rock file.";
   starting = startView(() => project, created, () => document.getElementById("calibration")!.scrollIntoView());
+  contents.append(h("li", {}, h("a", { href: "#rocks" }, "Rocks")));
+  document.getElementById("commands")!.append(textSwitch());
   main.append(section("rocks", "Rocks", folder, rockList, opening, first, another), place);
   arrange();
   listRocks();

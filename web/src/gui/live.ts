@@ -1,4 +1,5 @@
 // The specimen in the press: it breaks on the page while the program tests it, its curve growing beside it.
+import { noCracks } from "../data";
 import { h } from "../dom";
 import { draw } from "../figure";
 import { Press, Pressed, readPress } from "../press";
@@ -18,7 +19,10 @@ export interface LiveView {
 
 const shown = new Set<Picture>();
 (window as unknown as { phylliteLive: unknown }).phylliteLive = shown; // for tests: how long a picture takes
-export const redrawLive = () => shown.forEach((p) => p.recolor());
+const others: (() => void)[] = [];
+/** What else draws with the colours of the page. */
+export const redrawOnTheme = (act: () => void) => void others.push(act);
+export const redrawLive = () => [...shown].map((p) => () => p.recolor()).concat(others).forEach((act) => act());
 
 /** A canvas with one specimen, which moves on from each picture to the next. */
 class Picture {
@@ -32,7 +36,7 @@ class Picture {
   show(p: Press) {
     if (!this.viewer) {
       for (const other of shown) if (!other.canvas.isConnected || other.canvas.closest("[data-live=over]")) other.end(); // browsers keep few drawings by WebGL at a time
-      this.viewer = new Viewer(this.canvas, [{ cracks: this.none(), bedding: [], end: 1, load: null }], () => {}, () => innerHeight - tallest, [6, 6], true);
+      this.viewer = new Viewer(this.canvas, [{ cracks: noCracks(), bedding: [], end: 1, load: null }], () => {}, () => innerHeight - tallest, [6, 6], true);
       this.observer.observe(this.canvas);
       shown.add(this);
     }
@@ -57,8 +61,6 @@ class Picture {
   get kinds(): Uint8Array {
     return this.last?.cracks.kind ?? new Uint8Array();
   }
-
-  private none = () => ({ strain: new Float64Array(), a: new Uint32Array(), b: new Uint32Array(), kind: new Uint8Array(), normal_x: new Float32Array(), normal_y: new Float32Array(), size: new Float32Array() });
 
   private move = () => {
     if (!this.viewer || document.hidden) return;

@@ -14,6 +14,7 @@ export class Rock {
   gone: boolean; // its files have been deleted
   private disk: OnDisk;
   private past: { text: Files; step: string }[] = [];
+  private undone: { text: Files; step: string }[] = [];
 
   /** `changed` is called whenever something here is another than it was. */
   constructor(
@@ -33,21 +34,40 @@ export class Rock {
   get canUndo() {
     return this.past.length > 0;
   }
+  get canRedo() {
+    return this.undone.length > 0;
+  }
 
   /** Edits of one step, such as typing in one cell, are undone together. */
   edit(change: Partial<Files>, step: string) {
     const next = { ...this.text, ...change };
     if (same(next, this.text)) return;
     if (this.past.at(-1)?.step !== step) this.past.push({ text: this.text, step });
+    this.undone = [];
     this.text = next;
     this.settle();
   }
 
   undo() {
-    const last = this.past.pop();
+    this.step(this.past, this.undone);
+  }
+
+  redo() {
+    this.step(this.undone, this.past);
+  }
+
+  private step(from: typeof this.past, to: typeof this.past) {
+    const last = from.pop();
     if (!last) return;
+    to.push({ text: this.text, step: last.step });
     this.text = last.text;
     this.settle();
+  }
+
+  /** A step back would throw away what has been written elsewhere. */
+  private forget() {
+    this.past = [];
+    this.undone = [];
   }
 
   discard() {
@@ -92,7 +112,7 @@ export class Rock {
     this.theirs = mine ? only(files) : null;
     this.gone = false;
     if (!mine) {
-      this.past = []; // a step back would throw away what has been written elsewhere
+      this.forget();
       this.disk = only(files);
       this.text = { table: files.table, toml: files.toml };
     }
@@ -114,7 +134,7 @@ export class Rock {
     if (!kept && this.gone) return; // saved again: meet() says so
     const next = kept ?? this.disk; // none: saved or thrown away
     if (same(next, this.text)) return;
-    this.past = []; // a step back would throw away what the other tab has typed
+    this.forget();
     this.text = { table: next.table, toml: next.toml };
     if (kept && kept.stamp !== this.disk.stamp) {
       this.theirs = this.disk;

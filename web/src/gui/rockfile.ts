@@ -1,7 +1,8 @@
 // The rock file: what is asked for most by choosing, all of it as text. A choice changes its line of the text.
-import { Child, h } from "../dom";
+import { Child, fold, h } from "../dom";
 import { field, input, keyed, select, textArea } from "./controls";
 import { Checked, Project, isUnbedded } from "./server";
+import { showTexts } from "./steps";
 import { problemItem } from "./table";
 import { get, isElsewhere, quoted, set } from "./toml";
 
@@ -25,6 +26,9 @@ const sizes: [string, string, string][] = [
   ["bedding", "spacing", "Distance of the layers"],
 ];
 
+/** On the first page of the report. */
+const ofReport = ["project", "client", "laboratory", "author"];
+
 /** Means nothing to a rock without layers. */
 const ofLayers = (e: Entry) => e.key === "layers" || e.table === "bedding";
 
@@ -44,7 +48,7 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
     const node = select([["", `not given: ${words(options[0])}`], ...options.map((o): [string, string] => [o, words(o)])], (v) => change("", key, v));
     return entered("", key, node, label);
   };
-  const sized = ([table, key, label]: (typeof sizes)[number]): HTMLElement => {
+  const typed = (table: string, key: string, label: string): HTMLElement => {
     const node = input((v) => change(table, key, v.trim()), { placeholder: "not given" });
     return entered(table, key, node, label);
   };
@@ -52,9 +56,9 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
   const label = h("label", { for: "rock-text" }, "Rock file as text");
   const name = h("code");
   const problems = h("ul", { class: "problems", id: "rock-problems" });
-  const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", "Model of the matrix"), ...sizes.map(sized)];
+  const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", "Model of the matrix"), ...sizes.map((of) => typed(...of))];
   return {
-    node: h("div", {}, h("div", { class: "fields" }, ...fields), h("div", { class: "field" }, label, area.node), problems, h("p", { class: "muted" }, "The file: ", name)),
+    node: h("div", {}, h("div", { class: "fields" }, ...fields), fold("First page of the report", h("div", { class: "fields" }, ...ofReport.map((key) => typed("report", key, key[0].toUpperCase() + key.slice(1))))), h("div", { class: "field as-text" }, label, area.node), problems, h("p", { class: "muted as-text" }, "The file: ", name)),
     show(toml, file) {
       text = toml;
       area.set(toml);
@@ -70,7 +74,7 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
       const layered = !checked || !isUnbedded(checked);
       for (const e of entries) e.place.hidden = ofLayers(e) && !layered && get(text, e.table, e.key) === "";
       area.node.setAttribute("aria-invalid", String(all.length > 0));
-      keyed(problems, all, () => all.map((p) => problemItem(p, area.goTo)));
+      keyed(problems, all, () => all.map((p) => problemItem(p, (line) => (showTexts(), area.goTo(line)))));
     },
   };
 }

@@ -10,6 +10,7 @@ export interface Key {
   unit?: string; // of a number without one
   kind: "quantity" | "number" | "integer" | "boolean" | "choice" | "text" | "list";
   choices: string[];
+  tests?: string[]; // kinds that alone read it; none: all do
 }
 
 /** What a calibration may be asked for. */
@@ -170,6 +171,8 @@ export interface Checked {
   in_maps: string[];
   summary: Finding[]; // ten lines of all
   forecast: Finding[];
+  grains: { number: number; "diameter [m]": number } | null; // of the model, by the first of those that may be tried
+  course: (Finding & { effort: string; numbers: Record<"least_tests" | "most_tests" | "least_seconds" | "most_seconds", number> })[]; // of a calibration, by its effort
 }
 
 /** A rock without layers: nothing of it is said over an angle. */

@@ -12,14 +12,14 @@ export interface TableView {
   paste(text: string): void; // what was pasted beside all fields
 }
 
-export function tableView(project: Project, edit: (table: string, step: string) => void, undo: () => void): TableView {
+export function tableView(project: Project, edit: (table: string, step: string) => void, undo: () => void, redo: () => void): TableView {
   const columns = project.columns.map((c) => [c].flat()).filter(([name]) => name !== "-");
   let text: string | null = "";
   let asText = false;
   let steps = 0;
   let found: Problem[] = [];
   let another = ""; // the text that has taken the place of a table
-  const grid = new Grid(edit, undo, () => names.querySelector("summary")!.focus(), columns.map(([name]) => name), () => {
+  const grid = new Grid(edit, { undo, redo }, () => names.querySelector("summary")!.focus(), columns.map(([name]) => name), () => {
     another = text ?? "";
     draw();
   });
