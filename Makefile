@@ -3,7 +3,7 @@
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package, and the source tarball    make package-check  install, try and remove it on a bare Debian 12
 # make windows   the program for Windows, as one .exe and a .zip    make windows-check  try it under wine
-# make browser-lab  the page with the program inside, one file without a server   make browser-check  its numbers, in node
+# make browser-lab  the page with the program inside, one file without a server   make browser-check  its numbers, in node (neither in CI: a fifth of an hour of CPU)
 # make aarch64   the program for 64-bit ARM under Linux             make aarch64-check    its recorded numbers under qemu
 # make docs      the documents as a searchable site          make pictures those of gallery and README
 # make web       bundle the pages anew
@@ -115,8 +115,8 @@ browser-program: deps-inside
 	@sh tools/sources.sh build/sources
 	@$(call made,browser) --target phyllite
 
-browser-check: browser-program
-	@node packaging/browser/command.cjs build/browser verify --hash
+browser-check: browser-program program
+	@python3 tools/browser_check.py $(CHECKS)
 
 browser-lab: browser-program
 	@python3 tools/browser_lab.py build/browser build/browser-lab

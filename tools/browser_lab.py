@@ -31,8 +31,9 @@ def main(build: pathlib.Path, out: pathlib.Path) -> None:
     inside = block(worker, "phyllite-worker") + block(wasm, "phyllite-wasm") + block(pathlib.Path(LICENCES).read_text(), "licences") + block((parts / "page.js").read_text())
     policy = f'<head>\n<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
     out.mkdir(parents=True, exist_ok=True)
-    (out / "index.html").write_text(head + policy + before + inside + "<script>" + script)
-    print(f"browser-lab: {out / 'index.html'}, {(out / 'index.html').stat().st_size / 1e6:.1f} MB, opens from the disk and from any server")
+    file = out / "phyllite.html"
+    file.write_text(head + policy + before + inside + "<script>" + script)
+    print(f"browser-lab: {file}, {file.stat().st_size / 1e6:.1f} MB, opens from the disk and from any server")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ const [build, ...words] = process.argv.slice(2);
 const phyllite = require(require("node:path").resolve(build, "phyllite.js"));
 const wasm = new WebAssembly.Module(readFileSync(`${build}/phyllite.wasm`));
 const here = process.cwd();
-const start = process.cpuUsage();
 
 phyllite({
   noInitialRun: true,
@@ -12,11 +11,7 @@ phyllite({
   instantiateWasm: (imports, done) => (WebAssembly.instantiate(wasm, imports).then((instance) => done(instance, wasm)), {}),
   print: console.log,
   printErr: console.error,
-  onExit: (code) => {
-    const { user, system } = process.cpuUsage(start);
-    if (process.env.PHYLLITE_CPU) console.error(`${((user + system) / 1e6).toFixed(2)} s of CPU`);
-    process.exitCode = code;
-  },
+  onExit: (code) => (process.exitCode = code),
 }).then((program) => {
   program.FS.mkdirTree(here);
   program.FS.mount(program.NODEFS, { root: here }, here);

@@ -2,7 +2,6 @@
 #include <emscripten.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 
 #include "system/browser.hpp"
@@ -10,14 +9,15 @@
 
 // clang-format off
 EM_JS(int, phyllite_number, (), { return Module["number"] || 1; });
+// A page knows only how long it has been there; node also knows what the process has used.
+EM_JS(double, phyllite_seconds, (), {
+  if (typeof process === "undefined" || !process.cpuUsage) return performance.now() / 1000;
+  const used = process.cpuUsage();
+  return (used.user + used.system) / 1e6;
+});
 // clang-format on
 
 namespace phy::system {
-namespace {
-
-const auto start = std::chrono::steady_clock::now();
-
-}  // namespace
 
 bool has_desktop() { return false; }
 
@@ -39,9 +39,7 @@ std::vector<std::string> arguments(int argc, char** argv) { return {argv + 1, ar
 
 int n_processors() { return 1; }
 
-double thread_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+double thread_seconds() { return phyllite_seconds(); }
 
 std::tm utc(std::time_t time) {
   std::tm parts{};
