@@ -89,7 +89,7 @@
   };
   const said = element("p", { role: "status" });
   const say = (line) => (said.textContent = line);
-  const chooser = element("input", { type: "file", webkitdirectory: true, hidden: true });
+  const chooser = element("input", { type: "file", webkitdirectory: true, hidden: true, ariaLabel: "Folder to open" });
   chooser.addEventListener("change", () => void bring(chooser.files));
   const save = element("button", { type: "button" }, "Download all files");
   save.addEventListener("click", async () => download("phyllite.zip", await ask("zip"), "application/zip"));
