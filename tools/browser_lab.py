@@ -18,7 +18,8 @@ POLICY = ("default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blo
 def block(text: str, name: str = "") -> str:
     """A script; with a name only its text, for others to take."""
     kind = f' type="text/plain" id="{name}"' if name else ""
-    return f"<script{kind}>{text.replace('</script', '<\\/script').replace('<!--', '<\\!--')}</script>\n"
+    inert = text.replace("</script", "<\\/script").replace("<!--", "<\\!--")
+    return f"<script{kind}>{inert}</script>\n"
 
 
 def main(build: pathlib.Path, out: pathlib.Path) -> None:
