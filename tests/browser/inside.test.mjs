@@ -18,7 +18,7 @@ let browser, server, address;
 before(async () => {
   if (skip) return;
   browser = await launch();
-  server = createServer((request, response) => (request.url === "/" ? response.writeHead(200, { "Content-Type": "text/html" }).end(readFileSync(made)) : response.writeHead(404).end()));
+  server = createServer((request, response) => (request.url.split("?")[0] === "/" ? response.writeHead(200, { "Content-Type": "text/html" }).end(readFileSync(made)) : response.writeHead(404).end()));
   await new Promise((listens) => server.listen(0, "127.0.0.1", listens));
   address = `http://127.0.0.1:${server.address().port}/`;
 });
@@ -90,7 +90,7 @@ test("a pasted table is checked, calibrated, stopped, gone on with after a reloa
   await page.getByLabel("Effort of the search").selectOption("quick");
   await page.getByLabel("Largest number of tests").fill("54");
   await page.evaluate(() => (window.slow = []));
-  await button(page, "Start calibration").click();
+  await button(page, "Save and start calibration").click();
   await page.getByText("Running.", { exact: true }).waitFor();
   await page.getByRole("img", { name: "Specimen in the press" }).waitFor({ timeout: 600000 });
   await button(page, "Stop").click();
