@@ -2,8 +2,7 @@
 // memory and in the browser's own store; here they are opened and shown.
 {
   const text = (id) => document.getElementById(id).textContent;
-  const script = URL.createObjectURL(new Blob([text("phyllite-worker")], { type: "text/javascript" }));
-  const worker = new Worker(script);
+  const worker = new Worker(URL.createObjectURL(new Blob([text("phyllite-worker")], { type: "text/javascript" })));
   const waiting = new Map(); // by number: who waits for an answer
   let number = 0;
   let open;
@@ -101,5 +100,5 @@
   );
   void ready.then(({ keeps }) => say(keeps ? "Files are kept in this browser. Download what you want to keep for good." : "This browser keeps no files: download them before you leave."));
 
-  worker.postMessage({ role: "desk", wasm: text("phyllite-wasm"), script });
+  worker.postMessage({ role: "desk", wasm: text("phyllite-wasm"), script: text("phyllite-worker") });
 }

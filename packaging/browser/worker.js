@@ -89,7 +89,7 @@ async function command({ wasm, number, words, files }) {
 const children = new Map(); // by number: the worker, the descriptor of its log, its exit code when it has one
 const byPage = 256; // added to the exit code of what was ended from here (src/system/child_web.cpp)
 let last = 1;
-let source; // address of this script
+let source; // this script, at an address of this worker's own: below file:// another's is closed to it
 let module;
 
 function end(number, code) {
@@ -255,7 +255,8 @@ async function isAlone() {
 async function desk({ wasm, script }) {
   const alone = await isAlone();
   if (!alone) return postMessage({ taken: true });
-  [module, source] = [await WebAssembly.compile(await unpacked(wasm)), script];
+  module = await WebAssembly.compile(await unpacked(wasm));
+  source = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   await begin(module, { number: 1, start, ended: (number) => children.get(number)?.code ?? 0, end: (number) => end(number, byPage + 9) });
   await openStore().catch(() => (store = null));
   postMessage({ ready: true, keeps: store !== null });

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <ctime>
 
 #include "system/files.hpp"
 
@@ -25,7 +26,10 @@ bool lock_is_free(const std::string&) { return true; }
 ProcessLock lock_for_process(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDWR | O_CREAT, 0644);
   if (fd < 0) return {};
-  ::futimens(fd, nullptr);  // the work begins now
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  const timespec both[] = {now, now};
+  ::futimens(fd, both);  // the work begins now; no times would be 1970 here
   return {fd, false};
 }
 

@@ -136,6 +136,8 @@ test("the file opens from the disk and keeps what it is given; a folder is taken
   await reload(page);
   await title(page, "slate");
   assert.equal(readFileSync(join(await unpacked(page), "slate.csv"), "utf8"), table);
+  await button(page, "Start calibration").click(); // in a worker of a worker
+  await page.getByText("Running.", { exact: true }).waitFor();
   assert.deepEqual(page.asked, []);
   assert.deepEqual(page.trouble, []);
   await context.close();
