@@ -3,6 +3,7 @@
 # make python    the Python package, into build/python-env   make install  program, pages, completion, documents: PREFIX=, DESTDIR=
 # make package   a Debian package, and the source tarball    make package-check  install, try and remove it on a bare Debian 12
 # make windows   the program for Windows, as one .exe and a .zip    make windows-check  try it under wine
+# make browser-lab  the page with the program inside, one file without a server   make browser-check  its numbers, in node (neither in CI: a fifth of an hour of CPU)
 # make aarch64   the program for 64-bit ARM under Linux             make aarch64-check    its recorded numbers under qemu
 # make docs      the documents as a searchable site          make pictures those of gallery and README
 # make web       bundle the pages anew
@@ -33,6 +34,7 @@ deps-clang: PACKAGES += clang libclang-rt-14-dev
 deps-coverage: PACKAGES += gcovr
 deps-windows: PACKAGES += g++-mingw-w64-x86-64-posix dpkg-dev tcl
 windows-check: PACKAGES += wine64 wine
+deps-inside: PACKAGES += clang-14 emscripten dpkg-dev tcl
 deps-aarch64: PACKAGES += g++-aarch64-linux-gnu dpkg-dev tcl
 aarch64-check: PACKAGES += qemu-user
 deps-package: PACKAGES += dpkg-dev file lintian mmdebstrap
@@ -44,7 +46,7 @@ deps:
 	@missing=$$(for p in $(PACKAGES); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok installed' || echo $$p; done); \
 	echo "deps:" $${missing:-nothing is missing}; test -z "$$missing" || { $(SUDO) apt-get update -qq && \
 	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; }
-deps-all deps-docs deps-soak deps-clang deps-coverage deps-package deps-windows deps-aarch64: deps
+deps-all deps-docs deps-soak deps-clang deps-coverage deps-package deps-windows deps-inside deps-aarch64: deps
 
 build:
 	@$(call made,release)
@@ -110,6 +112,17 @@ windows-files: deps-windows
 
 windows-check: windows program
 	@python3 tools/windows_check.py $(CHECKS)
+
+# For a browser, by emscripten (docs/decisions/0026-in-the-browser.md). Chromium tries the page in `make browser`.
+browser-program: deps-inside
+	@sh tools/sources.sh build/sources
+	@$(call made,browser) --target phyllite
+
+browser-check: browser-program program
+	@python3 tools/browser_check.py $(CHECKS)
+
+browser-lab: browser-program
+	@python3 tools/browser_lab.py build/browser build/browser-lab
 
 # Likewise for 64-bit ARM under Linux.
 aarch64: deps-aarch64

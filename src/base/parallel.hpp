@@ -14,6 +14,12 @@
 
 namespace phy {
 
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+constexpr bool has_threads = false;  // what is done on threads elsewhere is done one after the other
+#else
+constexpr bool has_threads = true;
+#endif
+
 /// Calls work(i) for i = 0 ... n - 1, each on a thread of its own, and returns when all have ended. Each of
 /// the n ends with leave(), also one for which there was no thread: the others may wait for it. The first
 /// exception sets `broken`, so that the others can stop soon, and is thrown again at the end.
@@ -34,20 +40,23 @@ void on_threads(std::size_t n, std::atomic<bool>& broken, const Work& work, cons
     }
     leave();
   };
-  {
-    std::vector<std::jthread> threads;
-    threads.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      try {
-        threads.emplace_back(run, i);
-      } catch (const std::system_error& e) {
-        const std::string what = "thread " + std::to_string(i + 1) + " of " + std::to_string(n);
-        fail(std::make_exception_ptr(
-            std::system_error(e.code(), what + " cannot be started; use fewer (" + option("threads") + ")")));
-        leave();
-      }
+  std::vector<std::thread> threads;
+  threads.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if constexpr (!has_threads) {
+      run(i);
+      continue;
+    }
+    try {
+      threads.emplace_back(run, i);
+    } catch (const std::system_error& e) {
+      const std::string what = "thread " + std::to_string(i + 1) + " of " + std::to_string(n);
+      fail(std::make_exception_ptr(
+          std::system_error(e.code(), what + " cannot be started; use fewer (" + option("threads") + ")")));
+      leave();
     }
   }
+  for (std::thread& thread : threads) thread.join();
   if (error) std::rethrow_exception(error);
 }
 

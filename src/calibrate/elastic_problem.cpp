@@ -123,7 +123,7 @@ void ElasticProblem::correct(const Point& x, std::size_t n) {
   for (std::size_t i = 0; i < n_targets(); ++i) {
     const std::vector<double>& all = two_sided_[i].values;
     // Over the same packings: these differ in E by ten times what is measured here.
-    const double before = summarise({all.begin(), all.begin() + count}).mean, after = one_sided[i].mean;
+    const double before = summarise(std::span(all).first(n)).mean, after = one_sided[i].mean;
     double& correction = rows_[i].is_modulus() ? rows_[i].factor : rows_[i].addition;
     const double measured = rows_[i].is_modulus() ? after / before : after - before;
     // Where a specimen has no one-sided answer, the usual effect is nearer than none.

@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/embedded.hpp"
+#include "base/parallel.hpp"
 #include "base/quote.hpp"
 #include "base/version.hpp"
 #include "gui/grab.hpp"
@@ -471,10 +472,10 @@ Json Api::start(const std::vector<std::string>& words, const std::string& folder
 }
 
 /// What cannot be done is refused at once, where it was asked for, and nothing has begun. What goes
-/// on takes the place of an earlier log.
+/// on takes the place of an earlier log. Without threads nothing is heard of it while this one waits.
 void Api::check_started(const std::string& folder, const std::string& log) {
   const auto start = std::chrono::steady_clock::now();
-  while (work_in(folder).here && std::chrono::steady_clock::now() - start < at_once &&
+  while (has_threads && work_in(folder).here && std::chrono::steady_clock::now() - start < at_once &&
          // A lock on the folder means that all checks are passed.
          jobs::working_in(folder) == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

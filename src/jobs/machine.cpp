@@ -1,9 +1,13 @@
 #include "jobs/machine.hpp"
 
+#include "base/parallel.hpp"
 #include "system/process.hpp"
 
 namespace phy::jobs {
-int n_threads(int asked) { return asked > 0 ? asked : system::n_processors(); }
+int n_threads(int asked) {
+  if (!has_threads) return 1;
+  return asked > 0 ? asked : system::n_processors();
+}
 
 study::MachineOptions machine_of(int asked_threads) {
   study::MachineOptions machine;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/parallel.hpp"
 #include "io/toml_in.hpp"
 
 namespace phy::study {
@@ -27,15 +28,22 @@ StoreQueue::StoreQueue(const Plan& plan, Store& store, Hooks hooks, int n_worker
       else
         enqueue(batch.tests[i]);
   }
-  keeper_ = std::jthread([this](const std::stop_token& stop) { keep_claims(stop); });
+  if (has_threads) keeper_ = std::thread([this] { keep_claims(); });
 }
 
-StoreQueue::~StoreQueue() { keeper_.request_stop(); }
+StoreQueue::~StoreQueue() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  wake_.notify_all();
+  if (keeper_.joinable()) keeper_.join();
+}
 
 /// Renews the claims while their tests run: a test may take longer than a lease.
-void StoreQueue::keep_claims(const std::stop_token& stop) {
+void StoreQueue::keep_claims() {
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, stop, renewal, [] { return false; }) && !stop.stop_requested()) {
+  while (!wake_.wait_for(lock, renewal, [this] { return over_; })) {
     // The store has a lock of its own. Holding ours while the disk is slow would stop all workers.
     lock.unlock();
     try {

@@ -22,12 +22,13 @@ class StoreQueue : public PlanQueue {
  private:
   bool claim(std::size_t test) override;
   bool refresh_claims() override;
-  void keep_claims(const std::stop_token& stop);
+  void keep_claims();
 
   Store& store_;
   std::vector<std::size_t> elsewhere_;  // claimed by other processes
-  std::condition_variable_any wake_;
-  std::jthread keeper_;
+  std::condition_variable wake_;
+  bool over_ = false;
+  std::thread keeper_;
 };
 
 }  // namespace phy::study

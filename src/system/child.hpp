@@ -24,9 +24,10 @@ class FedProgram {
   bool finish();
 
  private:
-  void (*before_)(int);
-  int ends_[2] = {-1, -1};
-  int process_ = 0;
+  // where programs can be started
+  [[maybe_unused]] void (*before_)(int);
+  [[maybe_unused]] int ends_[2] = {-1, -1};
+  [[maybe_unused]] int process_ = 0;
 };
 
 /// Starts this very program once more, in a process group of its own: Ctrl-C on the terminal reaches this one

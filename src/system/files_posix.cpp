@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -14,7 +13,7 @@ namespace phy::system {
 namespace {
 
 // From linux/magic.h and the file systems' own headers; there is no portable test for "network".
-constexpr long nfs_magic = 0x6969, smb_magic = 0xFE534D42L, lustre_magic = 0x0BD00BD0L;
+constexpr long nfs_magic = 0x6969, smb_magic = static_cast<long>(0xFE534D42UL), lustre_magic = 0x0BD00BD0L;
 
 Kind kind_of(mode_t mode) {
   if (S_ISREG(mode)) return Kind::file;
@@ -28,13 +27,6 @@ About about(const struct stat& s) {
           static_cast<std::size_t>(s.st_size),
           {std::uint64_t{s.st_dev}, std::uint64_t{s.st_ino}, static_cast<std::uint64_t>(s.st_mtim.tv_sec),
            static_cast<std::uint64_t>(s.st_mtim.tv_nsec)}};
-}
-
-/// On the whole file.
-struct flock whole() {
-  struct flock lock {};
-  lock.l_type = F_WRLCK, lock.l_whence = SEEK_SET;
-  return lock;
 }
 
 const char* here_if_empty(const std::string& folder) { return folder.empty() ? "." : folder.c_str(); }
@@ -99,54 +91,7 @@ void sync_folder(const std::string& path) {
   ::close(fd);
 }
 
-void lock(int descriptor) { ::flock(descriptor, LOCK_EX | LOCK_NB); }
-
-int lock_folder(const std::string& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd >= 0) lock(fd);
-  return fd;
-}
-
-bool lock_is_free(const std::string& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
-  if (fd < 0) return false;
-  const bool free = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
-  ::close(fd);
-  return free;
-}
-
-ProcessLock lock_for_process(const std::string& path) {
-  const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0644);
-  struct flock lock = whole();
-  if (fd < 0) return {};
-  if (::fcntl(fd, F_SETLK, &lock) == 0) {
-    ::futimens(fd, nullptr);  // the work begins now
-    return {fd, false};
-  }
-  if (errno != EACCES && errno != EAGAIN) return {fd, false};
-  ::close(fd);
-  return {-1, true};
-}
-
-int locked_by(const std::string& path) {
-  const int fd = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-  if (fd < 0) return 0;
-  struct flock lock = whole();
-  const bool known = ::fcntl(fd, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-  ::close(fd);
-  return known ? lock.l_pid : 0;
-}
-
 void remove_file(const std::string& path) { ::unlink(path.c_str()); }
-
-int replace(const std::string& from, const std::string& to) {
-  return std::rename(from.c_str(), to.c_str()) != 0 ? errno : 0;
-}
-
-int exchange(const std::string& one, const std::string& other) {
-  const int done = ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE);
-  return done != 0 ? errno : 0;
-}
 
 bool is_full(int error) { return error == ENOSPC || error == EDQUOT; }
 

@@ -206,7 +206,16 @@ export const ask = <T>(path: string, body?: unknown) => (body === undefined ? re
 /** A file as it is. Throws the same. */
 export const upload = <T>(path: string, file: File) => request<T>(path, "POST", file, "application/octet-stream");
 
+/** Where the program runs in this page, without a server (packaging/browser/page.js). */
+const inside = (globalThis as { phyllite?: { answer(method: string, path: string, body?: string | File): Promise<{ status: number; body: Uint8Array }> } }).phyllite;
+
 async function request<T>(path: string, method: string, body?: string | File, type?: string): Promise<T> {
+  if (inside) {
+    const { status, body: bytes } = await inside.answer(method, path, body);
+    const content = JSON.parse(new TextDecoder().decode(bytes)) as T;
+    if (status !== 200) throw new Refused(status, content as Refused["body"]);
+    return content;
+  }
   const headers: Record<string, string> = { "X-Phyllite-Token": token, ...(type ? { "Content-Type": type } : {}) };
   let answer: Response;
   let content: unknown;
@@ -231,4 +240,7 @@ export async function askProject(): Promise<Project> {
 }
 
 /** Address of a file of the folder. */
-export const fileAddress = (path: string) => `/files/${path.split("/").map(encodeURIComponent).join("/")}?token=${encodeURIComponent(fileToken)}`;
+export function fileAddress(path: string): string {
+  const plain = `/files/${path.split("/").map(encodeURIComponent).join("/")}`;
+  return inside ? `#${plain}` : `${plain}?token=${encodeURIComponent(fileToken)}`;
+}
