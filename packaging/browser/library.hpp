@@ -1,5 +1,5 @@
-// What C++20 asks of its library and libc++ 13, emscripten's in Debian 12, does not have yet: algorithms of ranges, and
-// numbers of `double` as text. Included before every file of the build for browsers.
+// What C++20 asks of its library and libc++ 13, emscripten's in Debian 12, does not have yet: algorithms of
+// ranges, and numbers of `double` as text. Included before every file of the build for browsers.
 #pragma once
 #if defined(__cplusplus) && __cplusplus >= 202002L
 #include <version>
@@ -20,11 +20,13 @@ namespace ranges {
 
 template <class Range, class Is, class Projection = identity>
 auto find_if(Range&& range, Is is, Projection of = {}) {
-  return std::find_if(std::begin(range), std::end(range), [&](auto&& x) { return std::invoke(is, std::invoke(of, x)); });
+  return std::find_if(std::begin(range), std::end(range),
+                      [&](auto&& x) { return std::invoke(is, std::invoke(of, x)); });
 }
 template <class Range, class Value, class Projection = identity>
 auto find(Range&& range, const Value& value, Projection of = {}) {
-  return ranges::find_if(range, [&](const auto& x) { return x == value; }, of);
+  return ranges::find_if(
+      range, [&](const auto& x) { return x == value; }, of);
 }
 template <class Range, class Is, class Projection = identity>
 bool any_of(Range&& range, Is is, Projection of = {}) {
@@ -36,15 +38,18 @@ bool none_of(Range&& range, Is is, Projection of = {}) {
 }
 template <class Range, class Is, class Projection = identity>
 bool all_of(Range&& range, Is is, Projection of = {}) {
-  return ranges::none_of(range, [&](auto&& x) { return !std::invoke(is, x); }, of);
+  return ranges::none_of(
+      range, [&](auto&& x) { return !std::invoke(is, x); }, of);
 }
 template <class Range, class Is, class Projection = identity>
 auto count_if(Range&& range, Is is, Projection of = {}) {
-  return std::count_if(std::begin(range), std::end(range), [&](auto&& x) { return std::invoke(is, std::invoke(of, x)); });
+  return std::count_if(std::begin(range), std::end(range),
+                       [&](auto&& x) { return std::invoke(is, std::invoke(of, x)); });
 }
 template <class Range, class Value, class Projection = identity>
 auto count(Range&& range, const Value& value, Projection of = {}) {
-  return ranges::count_if(range, [&](const auto& x) { return x == value; }, of);
+  return ranges::count_if(
+      range, [&](const auto& x) { return x == value; }, of);
 }
 template <class Range, class Out>
 void copy(Range&& range, Out out) {
@@ -61,7 +66,8 @@ void reverse(Range&& range) {
 /// Two elements, compared by what the projection makes of them.
 template <class Less, class Projection>
 auto comparison(Less& less, Projection& of) {
-  return [&](const auto& a, const auto& b) { return std::invoke(less, std::invoke(of, a), std::invoke(of, b)); };
+  return
+      [&](const auto& a, const auto& b) { return std::invoke(less, std::invoke(of, a), std::invoke(of, b)); };
 }
 template <class Range, class Less = std::less<>, class Projection = identity>
 void sort(Range&& range, Less is_less = {}, Projection of = {}) {
@@ -89,12 +95,14 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   const bool hex = format == chars_format::hex;
   const char* digit = first != last && *first == '-' ? first + 1 : first;
   const auto is_digit = [&](const char* c) {
-    return c != last && (isdigit(static_cast<unsigned char>(*c)) || (hex && isxdigit(static_cast<unsigned char>(*c))));
+    return c != last &&
+           (isdigit(static_cast<unsigned char>(*c)) || (hex && isxdigit(static_cast<unsigned char>(*c))));
   };
   const bool is_word = digit != last && (tolower(*digit) == 'i' || tolower(*digit) == 'n');
   if (!is_word && !is_digit(digit) && !(digit != last && *digit == '.' && is_digit(digit + 1)))
     return {first, errc::invalid_argument};
-  if (!hex && last - digit > 1 && *digit == '0' && tolower(digit[1]) == 'x') {  // to strtod() it would be a number
+  if (!hex && last - digit > 1 && *digit == '0' &&
+      tolower(digit[1]) == 'x') {  // to strtod() it would be a number
     value = digit == first ? 0.0 : -0.0;
     return {digit + 1, errc()};
   }
@@ -106,7 +114,8 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   const char* stop = digit + (end - text.c_str()) - static_cast<ptrdiff_t>(sign.size() + prefix.size());
   // Too large, or so small that nothing is left of it.
   const char* mantissa = std::find_if(digit, stop, [&](char c) { return tolower(c) == (hex ? 'p' : 'e'); });
-  const bool is_zero = std::none_of(digit, mantissa, [](char c) { return isxdigit(static_cast<unsigned char>(c)) && c != '0'; });
+  const bool is_zero = std::none_of(
+      digit, mantissa, [](char c) { return isxdigit(static_cast<unsigned char>(c)) && c != '0'; });
   if (!is_word && (isinf(read) || (read == 0.0 && !is_zero))) return {stop, errc::result_out_of_range};
   value = read;
   return {stop, errc()};
@@ -151,7 +160,8 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
     snprintf(whole, sizeof whole, "%.0f", fabs(value));
     fixed = whole;
   } else {
-    fixed = digits.substr(0, static_cast<size_t>(power + 1)) + "." + digits.substr(static_cast<size_t>(power + 1));
+    fixed = digits.substr(0, static_cast<size_t>(power + 1)) + "." +
+            digits.substr(static_cast<size_t>(power + 1));
   }
   return copied(sign.size() + fixed.size() <= scientific.size() ? sign + fixed : scientific, first, last);
 }
