@@ -2,7 +2,7 @@
 # program; these only ask. What all of them include is parsed once.
 add_library(count_events MODULE tests/count_events.cpp)  # loaded into the program to end it at a counted event
 target_link_libraries(count_events PRIVATE ${CMAKE_DL_LIBS})
-set(PHY_TEST_OPTIONS $<$<CONFIG:Release>:-O1> ${PHY_PRECOMPILED})
+set(PHY_TEST_OPTIONS $<$<CONFIG:Release>:-Og> ${PHY_PRECOMPILED})
 add_library(test_headers OBJECT EXCLUDE_FROM_ALL tests/test_headers.cpp)
 target_link_libraries(test_headers PRIVATE fmt::fmt GTest::gtest GTest::gmock)
 target_compile_options(test_headers PRIVATE ${PHY_TEST_OPTIONS})
@@ -41,6 +41,8 @@ target_link_libraries(test_x_fuzz PRIVATE verbs ${PHY_ZIP})
 add_dependencies(test_x_install manual)
 target_compile_definitions(test_x_install PRIVATE $<$<CONFIG:Release>:PHY_GUARDED>)
 set_tests_properties(test_x_soak PROPERTIES TIMEOUT 7200)
+# The longest first, or one of them would hold up the end while other cores are idle.
+set_tests_properties(test_calibrate test_x_cli test_x_calibration PROPERTIES COST 100)
 find_library(PHY_NLOPT nlopt_cxx)  # for the comparison of calibrations; without it that file is left out
 if(PHY_NLOPT)
   target_link_libraries(test_x_soak PRIVATE ${PHY_NLOPT})

@@ -1,6 +1,6 @@
 #include "calibrate/best_estimate.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "maps/nearest.hpp"

@@ -1,6 +1,6 @@
 #include "calibrate/elastic_fit.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <tuple>

@@ -1,5 +1,6 @@
 #include "calibrate/read_moduli.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -10,7 +10,7 @@
 // Surrogates learn both from the search's own tests, per inclination and confining stress, as they learn
 // strengths: over the places of the ratios and, under a confining stress, that of sigma_c beside them.
 #pragma once
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <map>
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "calibrate/strength_posterior.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>

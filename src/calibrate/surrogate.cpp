@@ -1,5 +1,6 @@
 #include "calibrate/surrogate.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -14,7 +14,7 @@
 // of k takes part, and its variance says how well the runs have settled it. Rejected: one length per
 // parameter by maximum likelihood, thirty runs do not fix it.
 #pragma once
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <functional>
 #include <span>
 #include <vector>

@@ -370,7 +370,7 @@ Json Api::result_in_brief(const std::string& folder) {
   {
     const std::lock_guard lock(mutex_);
     const auto known = briefs_.find(folder);
-    if (known != briefs_.end() && known->second.identity == about->identity) return known->second.json;
+    if (known != briefs_.end() && known->second.identity == about->identity) return *known->second.json;
   }
   const Json result = json_in(file);
   const Json errors = value_in(result, {"errors"});
@@ -378,7 +378,7 @@ Json Api::result_in_brief(const std::string& folder) {
             {"errors", errors.is_array() ? errors : Json::array()},
             {"effort", value_in(result, {"effort"})}};
   const std::lock_guard lock(mutex_);
-  briefs_[folder] = {about->identity, j};
+  briefs_[folder] = {about->identity, std::make_shared<Json>(j)};
   return j;
 }
 

@@ -58,7 +58,7 @@ class Api {
   /// What calibration.json says in short, as long as it stays the same.
   struct Brief {
     std::array<std::uint64_t, 4> identity;  ///< of the file
-    Json json;
+    std::shared_ptr<const Json> json;
   };
   int threads_;
   std::string file_token_;

@@ -1,5 +1,7 @@
 #include "gui/grab.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "gui/grab.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/in_folder_fixture.hpp"

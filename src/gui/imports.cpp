@@ -1,5 +1,7 @@
 #include "gui/imports.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "base/check.hpp"
 #include "base/quote.hpp"
 #include "io/table.hpp"

@@ -1,7 +1,7 @@
 // What a rock of the page may begin with: a file that somebody drops on it, or a measured rock that comes
 // with the program.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 

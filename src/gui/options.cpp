@@ -1,5 +1,7 @@
 #include "gui/options.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <utility>
 #include <variant>
 

@@ -1,6 +1,7 @@
 #include "gui/options.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace phy::gui {
 namespace {

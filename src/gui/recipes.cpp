@@ -1,5 +1,7 @@
 #include "gui/recipes.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <utility>
 

@@ -1,7 +1,7 @@
 // Recipes for tests on a calibrated rock, by choosing values of keys.
 #pragma once
 #include <map>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 

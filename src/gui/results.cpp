@@ -1,5 +1,7 @@
 #include "gui/results.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 
 #include "gui/project.hpp"

@@ -1,7 +1,7 @@
 // What the program says of a rock that is being typed: the same as `phyllite rock check`, as JSON, each
 // problem with the cell that it is about.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "maps/forecast.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>

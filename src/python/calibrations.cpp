@@ -1,5 +1,6 @@
 // Calibrations and studies.
 #include <pybind11/stl.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,7 @@
 // Recipe and Rock.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstddef>

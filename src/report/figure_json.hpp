@@ -1,6 +1,6 @@
 // A figure as the pages read it (web/src/figure.ts).
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "report/figure.hpp"
 

@@ -1,5 +1,7 @@
 #include "report/finding_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <utility>
 

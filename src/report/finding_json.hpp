@@ -1,6 +1,6 @@
 // Findings, and what a table determines, as files and the page read them: words of data beside one text.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "records/finding.hpp"

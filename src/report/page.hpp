@@ -2,7 +2,7 @@
 // web/report.html) is part of the program; here the results are put in: one block of JSON, a scene per
 // specimen. Every number in it is the one of result.json. Text is data to the page, never markup.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>

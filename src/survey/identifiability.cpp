@@ -1,6 +1,6 @@
 #include "survey/identifiability.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>

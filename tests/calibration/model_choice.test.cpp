@@ -78,10 +78,9 @@ std::unique_ptr<calibrate::Simulator> all_cores() {
 
 TEST(ModelChoice, TellsPlanesDirectionsAndBridgesApart) {
   const auto simulator = all_cores();
-  EXPECT_GE(recognised("parallel-bond-crossing", "joints on planes", 3, *simulator) +
-                recognised("parallel-bond-directions", "directions of the bonds", 3, *simulator),
-            5);
-  EXPECT_GE(recognised("parallel-bond-bridges-crossing", "bridges", 3, *simulator), 2);
+  EXPECT_EQ(recognised("parallel-bond-crossing", "joints on planes", 2, *simulator), 2);
+  EXPECT_EQ(recognised("parallel-bond-directions", "directions of the bonds", 2, *simulator), 2);
+  EXPECT_GE(recognised("parallel-bond-bridges-crossing", "bridges", 2, *simulator), 1);
 }
 
 // Strengths of a rock with directions, E of one on planes, least at 45 degrees, which no directions have.
