@@ -44,7 +44,7 @@ struct Code {
   const char* source;  ///< address of the documentation
   Syntax syntax;
   std::vector<CodeRow> rows;
-  std::vector<const char*> notes;  ///< what the reader of the file has to know
+  std::vector<const char*> notes;                    ///< what the reader of the file has to know
   std::vector<const char*> before = {}, after = {};  ///< lines of the code's own around the rows
 };
 std::span<const Code> codes();

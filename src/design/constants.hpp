@@ -9,11 +9,24 @@ namespace phy::design {
 
 /// The index of the list.
 enum class Constant {
-  E, E_n, nu, nu_n, G_n,                     // transversely isotropic elasticity
-  c_j, phi_j, c, phi,                        // planes and the rock between them
-  sigma_tj, sigma_t,                         // tensile cut-offs
-  sigma_ci, m, k_beta,                       // Hoek-Brown at an inclination
-  c_0, phi_0, omega, omega_2                 // fabric
+  E,
+  E_n,
+  nu,
+  nu_n,
+  G_n,  // transversely isotropic elasticity
+  c_j,
+  phi_j,
+  c,
+  phi,  // planes and the rock between them
+  sigma_tj,
+  sigma_t,  // tensile cut-offs
+  sigma_ci,
+  m,
+  k_beta,  // Hoek-Brown at an inclination
+  c_0,
+  phi_0,
+  omega,
+  omega_2  // fabric
 };
 constexpr int n_constants = 18;
 

@@ -16,7 +16,8 @@ TransverseIsotropy seen(const Eigen::VectorXd& x) {
 /// Of the body behind them.
 TransverseIsotropy body_behind(const TransverseIsotropy& shown, const ElasticReadingOf2D& reading) {
   TransverseIsotropy body = shown;
-  const double lateral = shown.nu_n * shown.E / shown.E_n;  // nu of the specimen with its planes along the load
+  const double lateral =
+      shown.nu_n * shown.E / shown.E_n;  // nu of the specimen with its planes along the load
   const bool given = std::isfinite(reading.nu);
   if (reading.state == theory::PlaneState::stress) {
     body.nu = given ? reading.nu : lateral;

@@ -34,15 +34,15 @@ void expect_body(const Fit& fit, const TransverseIsotropy& body) {
 const TransverseIsotropy shale = {.E = 31e9, .E_n = 14e9, .nu = 0.27, .nu_n = 0.21, .G_n = 6.3e9};
 
 TEST(Elasticity, FindsTheBodyInPlaneStress) {
-  expect_body(fit_elasticity(points_of(shale, theory::PlaneState::stress),
-                             {theory::PlaneState::stress, shale.nu}),
-              shale);
+  expect_body(
+      fit_elasticity(points_of(shale, theory::PlaneState::stress), {theory::PlaneState::stress, shale.nu}),
+      shale);
 }
 
 TEST(Elasticity, FindsTheBodyInPlaneStrain) {
-  expect_body(fit_elasticity(points_of(shale, theory::PlaneState::strain),
-                             {theory::PlaneState::strain, shale.nu}),
-              shale);
+  expect_body(
+      fit_elasticity(points_of(shale, theory::PlaneState::strain), {theory::PlaneState::strain, shale.nu}),
+      shale);
 }
 
 // Where nothing is given, Poisson's ratio in the planes is that of isotropic rock between them: of such rock

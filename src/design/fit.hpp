@@ -16,13 +16,13 @@ namespace phy::design {
 /// Why there are no constants. Not an error: tests that a law cannot hold are a finding.
 enum class Refusal {
   none,
-  too_few,          ///< tests with a strength, for the constants of the law
-  undetermined,     ///< some combination of the constants changes no test
-  no_plane,         ///< no test, or those of one stress alone, fails along the planes
-  no_matrix,        ///< the same of the rock between them
-  falling,          ///< the strength falls with the stress on the sides, or grows less than it
-  not_admissible,   ///< constants that no elastic body has
-  no_agreement      ///< the law has no strength in some direction
+  too_few,         ///< tests with a strength, for the constants of the law
+  undetermined,    ///< some combination of the constants changes no test
+  no_plane,        ///< no test, or those of one stress alone, fails along the planes
+  no_matrix,       ///< the same of the rock between them
+  falling,         ///< the strength falls with the stress on the sides, or grows less than it
+  not_admissible,  ///< constants that no elastic body has
+  no_agreement     ///< the law has no strength in some direction
 };
 
 /// Peak sigma_1 at theta [deg] and sigma_3 [Pa].
@@ -35,8 +35,8 @@ struct Fit {
   std::vector<Key> keys = {};
   Eigen::VectorXd x = {};           ///< inner() of the values, in the order of the keys
   Eigen::MatrixXd covariance = {};  ///< of x
-  double error = nan;          ///< root of the mean square of the misfits [-]
-  std::size_t n = 0;           ///< misfits
+  double error = nan;               ///< root of the mean square of the misfits [-]
+  std::size_t n = 0;                ///< misfits
 
   bool ok() const { return refusal == Refusal::none; }
   bool has(const Key& key) const;

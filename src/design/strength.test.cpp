@@ -58,9 +58,8 @@ TEST(UbiquitousJoint, FindsThePlaneAndTheRock) {
 }
 
 TEST(UbiquitousJoint, RefusesRockWithoutAPlane) {
-  const Fit fit = fit_ubiquitous_joint(points_of(three, [](double, double s) {
-    return breaks_at(24e6, 37.0, s);
-  }));
+  const Fit fit =
+      fit_ubiquitous_joint(points_of(three, [](double, double s) { return breaks_at(24e6, 37.0, s); }));
   EXPECT_EQ(fit.refusal, Refusal::no_plane);
 }
 
