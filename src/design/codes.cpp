@@ -264,17 +264,6 @@ std::string xml(const Code& code, V v, const std::string& rock) {
          parameters + "  </parameters>\n</OpenGeoSysProject>\n";
 }
 
-const char* word_of(Part part) {
-  switch (part) {
-    case Part::elasticity: return "elasticity";
-    case Part::ubiquitous_joint: return "ubiquitous joint";
-    case Part::tension: return "tension";
-    case Part::hoek_brown: return "Hoek-Brown";
-    case Part::fabric: return "fabric";
-  }
-  return "";
-}
-
 std::string angle_cell(const Key& key) { return std::isfinite(key.theta) ? digits(key.theta) : ""; }
 
 }  // namespace

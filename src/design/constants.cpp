@@ -30,7 +30,7 @@ constexpr std::array<ConstantInfo, n_constants> list = {{
     {C::sigma_ci, "sigma_ci", "sigma_ci", "Pa", "Hoek-Brown, strength without confinement", S::logarithmic,
      1e-6, "MPa", 1},
     {C::m, "m", "m", "1", "Hoek-Brown, m = k_beta m_i", S::linear, 1.0, "", 2},
-    {C::k_beta, "k_beta", "k_beta", "1", "m over m_i, that of planes across the load", S::linear, 1.0, "", 3},
+    {C::k_beta, "k_beta", "k_beta", "1", "m over m_i of planes across the load", S::linear, 1.0, "", 3},
     {C::c_0, "c_0", "c_0", "Pa", "cohesion, mean over directions of the fabric", S::logarithmic, 1e-6, "MPa",
      2},
     {C::phi_0, "phi_0", "phi_0", "deg", "friction angle in all directions", S::linear, 1.0, "deg", 1},

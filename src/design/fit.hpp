@@ -25,6 +25,9 @@ enum class Refusal {
   no_agreement     ///< the law has no strength in some direction
 };
 
+/// As files call it: "no_plane".
+const char* word_of(Refusal refusal);
+
 /// Peak sigma_1 at theta [deg] and sigma_3 [Pa].
 using StrengthPoint = theory::StrengthReading;
 using StrengthPoints = std::vector<StrengthPoint>;

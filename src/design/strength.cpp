@@ -275,4 +275,15 @@ double left_out_error(const StrengthLaw& law, const StrengthPoints& points) {
   return n > 0 ? std::sqrt(squares / static_cast<double>(n)) : nan;
 }
 
+const char* word_of(Part part) {
+  switch (part) {
+    case Part::elasticity: return "elasticity";
+    case Part::ubiquitous_joint: return "ubiquitous joint";
+    case Part::tension: return "tension";
+    case Part::hoek_brown: return "Hoek-Brown";
+    case Part::fabric: return "fabric";
+  }
+  return "";
+}
+
 }  // namespace phy::design

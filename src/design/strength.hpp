@@ -26,6 +26,8 @@ Fit fit_tension(const StrengthPoints& points);
 /// What constants are of: a part of the sheet, a group of rows in files.
 enum class Part { elasticity, ubiquitous_joint, tension, hoek_brown, fabric };
 constexpr int n_parts = 5;
+/// "ubiquitous joint", as files and sentences call a part.
+const char* word_of(Part part);
 
 struct StrengthLaw {
   Part part;

@@ -627,6 +627,22 @@ function values() {
   );
 }
 
+// --- design --------------------------------------------------------------------------------------------------
+
+/** One sheet: charts, constants, what to keep in mind. */
+function design() {
+  const d = report.design;
+  if (!d) return;
+  section(
+    "design",
+    "Constants for other codes",
+    ...drawn(d.figure, false),
+    h("p", { class: "muted" }, d.figure.panels.map((p) => p.caption).filter(Boolean).join(" ")),
+    h("div", { class: "compact" }, ...d.tables.map((t) => table(t.title, t.head, t.rows, t.title))),
+    h("ul", { class: "findings" }, ...d.findings.map((f) => h("li", {}, f.text))),
+  );
+}
+
 // --- studies -------------------------------------------------------------------------------------------------
 
 /** Means as they are drawn, the places across. */
@@ -718,7 +734,7 @@ function start() {
   document.getElementById("test")!.textContent = done();
   const n = report.tests.length;
   const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
-  const about = report.calibration ? "calibration" : report.figures.study ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
+  const about = report.calibration ? "calibration" : report.figures.study ? "study" : report.design ? "design" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
   document.getElementById("subtitle")!.textContent = about;
   cover();
   theme(() => {
@@ -727,6 +743,7 @@ function start() {
   });
   main.append(...notices().filter((x): x is HTMLElement => x instanceof HTMLElement));
   calibration();
+  design();
   studies();
   effects();
   if (n > 0) {
