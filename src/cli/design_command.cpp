@@ -20,7 +20,7 @@ struct DesignArguments {
   std::vector<std::string> stresses = {"0 MPa", "5 MPa", "10 MPa"};
   std::size_t draws = 0;
   double nu = nan, dip = 0.0;
-  bool with_untrusted = false;
+  bool with_untrusted = false, model_alone = false;
 };
 
 jobs::DesignRequest request_of(const DesignArguments& args) {
@@ -28,7 +28,7 @@ jobs::DesignRequest request_of(const DesignArguments& args) {
   request.calibration = args.calibration, request.out = args.out;
   request.stresses = read_stresses("--stresses", args.stresses);
   request.n_draws = args.draws, request.dip = args.dip;
-  request.reading.nu = args.nu;
+  request.reading.nu = args.nu, request.model_alone = args.model_alone;
   if (args.reading == "plane strain") request.reading.state = theory::PlaneState::strain;
   return request;
 }
@@ -115,6 +115,8 @@ void add_design_command(CLI::App& app, Session& session) {
       ->capture_default_str();
   verb->add_flag("--with-untrusted", args->with_untrusted,
                  "tests that are not to be trusted count like others");
+  verb->add_flag("--model-alone", args->model_alone,
+                 "strengths of the model, without what it misses of its table");
   verb->add_option("--out", args->out, "folder for the results")->type_name("FOLDER")->capture_default_str();
   verb->callback([args, &session] { session.exit_code = design_of(*args, session); });
 }

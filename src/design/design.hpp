@@ -19,6 +19,9 @@ struct DrawTests {
   std::vector<ElasticPoint> elasticity;  ///< small strain, direct solution
   StrengthPoints compression;            ///< peaks
   StrengthPoints tension;                ///< direct tension [Pa] in `ucs`, across the planes and along them
+  /// Standard deviation of the logarithm of a factor on all strengths in compression, which nobody knows: how
+  /// far the rock may lie from them.
+  double unknown_factor = 0.0;
 };
 
 struct DesignTests {
@@ -28,6 +31,8 @@ struct DesignTests {
   std::vector<DrawTests> draws;
   std::vector<Target> laboratory = {};  ///< the table of the calibration
   ElasticReadingOf2D reading = {};
+  /// Strengths are the rock's: the model's times what it misses of the table (calibrate/discrepancy.hpp).
+  bool of_rock = false;
   double dip = 0.0;  ///< [deg] of the planes where the constants will be used
 };
 

@@ -18,6 +18,7 @@ namespace {
 using enum Constant;
 
 constexpr double degree = std::numbers::pi / 180.0;
+constexpr double least_log_m = -4.6;    // m of 0.01
 constexpr double across_planes = 15.0;  // [deg] m_i is that of planes within this of across the load
 
 Eigen::VectorXd vector_of(std::initializer_list<double> values) {
@@ -134,11 +135,12 @@ Fit fit_angle(const StrengthPoints& points) {
   const theory::HoekBrownFit start = theory::fit_hoek_brown(readings);
   if (!start.ok) return refused(Refusal::falling);
   const Law law = law_of(points, [](const Eigen::VectorXd& x, const StrengthPoint& p) {
-    return hoek_brown(std::exp(x[0]), x[1], p.sigma_3);
+    return hoek_brown(std::exp(x[0]), std::exp(x[1]), p.sigma_3);
   });
   const Fit fit = fit_law(law, {{sigma_ci, theta}, {m, theta}},
-                          {vector_of({std::log(start.ucs.value), start.m_i.value})});
-  return fit.ok() && !(fit.x[1] > 0.0) ? refused(Refusal::falling) : fit;
+                          {vector_of({std::log(start.ucs.value), std::log(start.m_i.value)})});
+  // m may run to zero, where no test says how far.
+  return fit.ok() && !(fit.x[1] > least_log_m) ? refused(Refusal::falling) : fit;
 }
 
 /// Side by side: what one inclination has says nothing of another.
@@ -224,7 +226,7 @@ Fit fit_hoek_brown(const StrengthPoints& points) {
   return transformed(all, keys, [](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     y.head(x.size()) = x;
     // Two numbers per inclination; the m of the first is m_i.
-    for (Eigen::Index i = 0; i < x.size() / 2; ++i) y[x.size() + i] = x[2 * i + 1] / x[1];
+    for (Eigen::Index i = 0; i < x.size() / 2; ++i) y[x.size() + i] = x[2 * i + 1] - x[1];
   });
 }
 

@@ -105,6 +105,24 @@ void add_strengths(std::vector<DrawTests>& draws, const std::vector<Asked>& aske
   }
 }
 
+/// From the model's strengths to the rock's: a draw that is too strong is brought back, angle by angle and
+/// stress by stress.
+void correct(std::vector<DrawTests>& draws, const DesignPlan& plan) {
+  if (!plan.discrepancy) return;
+  for (std::size_t k = 0; k < draws.size(); ++k) {
+    double variance = 0.0;
+    for (design::StrengthPoint& p : draws[k].compression) {
+      Target t;
+      t.property = Property::confined, t.theta = p.theta, t.confining = p.sigma_3;
+      const calibrate::Discrepancy::Term term = plan.discrepancy->at(t);
+      p.ucs *= std::exp(plan.discrepancy->of_draw(term, plan.numbers[k]));
+      variance += term.variance / static_cast<double>(draws[k].compression.size());
+    }
+    // Smooth over the angles and stresses: taken as one factor on all of them.
+    draws[k].unknown_factor = std::sqrt(variance);
+  }
+}
+
 /// A row per test.
 std::string tests_csv(const design::DesignTests& tests) {
   std::string text = "draw,test,theta [deg],sigma_3 [Pa],number,value,unit\n";
@@ -151,7 +169,7 @@ std::size_t DesignPlan::n_tests() const {
 
 DesignPlan plan_design(const DesignRequest& request) {
   const std::string path = recipe_of(request.calibration);
-  DesignPlan plan{request, io::read_recipe(path), {}, {}};
+  DesignPlan plan{request, io::read_recipe(path), {}, {}, {}, {}};
   if (!layered(plan.recipe))
     throw InputError(Problem{path, "design", "", "a rock with layers",
                              "`phyllite envelope --ensemble` gives c, phi and m_i of a rock without any"});
@@ -160,7 +178,12 @@ DesignPlan plan_design(const DesignRequest& request) {
   if (n < fewest_draws || n > draws.size())
     throw InputError(Problem{"command line", "--draws", fmt::format("{}", n),
                              fmt::format("{} to {} draws", fewest_draws, draws.size()), ""});
-  for (std::size_t k = 0; k < n; ++k) plan.draws.push_back(draws[k * (draws.size() - 1) / (n - 1)]);
+  for (std::size_t k = 0; k < n; ++k) {
+    plan.numbers.push_back(k * (draws.size() - 1) / (n - 1));
+    plan.draws.push_back(draws[plan.numbers.back()]);
+  }
+  if (!request.model_alone) plan.discrepancy = read_discrepancy(path, draws.size());
+  if (plan.discrepancy && !plan.discrepancy->knows(Property::confined)) plan.discrepancy.reset();
   plan.calibration = read_calibration(fs::path(path).parent_path().string());
   if (holds_calibration(request.out))
     throw InputError(Problem{"command line", "--out", request.out, "",
@@ -179,6 +202,7 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
                             .draws = elasticity_of(elastic, plan.draws.size()),
                             .laboratory = table_of(plan.calibration),
                             .reading = plan.request.reading,
+                            .of_rock = plan.discrepancy.has_value(),
                             .dip = plan.request.dip};
   std::vector<Recipe> recipes;
   std::vector<Asked> asked;
@@ -190,6 +214,7 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
       recipes.push_back(std::move(r)), asked.push_back({k, false});
   }
   add_strengths(tests.draws, asked, recipes, simulator.test(recipes));
+  correct(tests.draws, plan);
   return design::design_of(std::move(tests));
 }
 

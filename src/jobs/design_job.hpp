@@ -1,8 +1,10 @@
 // `phyllite design`: the tests of the draws of a calibration, and all files that come of them.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "calibrate/discrepancy.hpp"
 #include "calibrate/simulator.hpp"
 #include "design/design.hpp"
 
@@ -13,7 +15,8 @@ struct DesignRequest {
   std::vector<double> stresses;  ///< [Pa] three or more, rising
   std::size_t n_draws = 0;       ///< 0: all that the calibration has left
   design::ElasticReadingOf2D reading = {};
-  double dip = 0.0;  ///< [deg]
+  double dip = 0.0;          ///< [deg]
+  bool model_alone = false;  ///< without what the model misses of its table
   std::string out;
 };
 
@@ -22,7 +25,9 @@ struct DesignPlan {
   DesignRequest request;
   Recipe recipe;
   std::vector<Recipe> draws;
+  std::vector<std::size_t> numbers;  ///< of the draws in the calibration, from 0
   Calibration calibration;
+  std::optional<calibrate::Discrepancy> discrepancy;
 
   std::size_t n_tests() const;  ///< in compression and tension
 };

@@ -73,6 +73,16 @@ std::string laboratory(F f) {
 const std::vector<Wording>& words_of_design() {
   static const std::vector<Wording> list = {
       {Kind::design_range, range},
+      {Kind::design_of_rock,
+       [](F) -> std::string {
+         return "Strengths in compression are the model's times what it misses of the table; the intervals "
+                "count "
+                "what is open there.";
+       }},
+      {Kind::design_of_model,
+       [](F) -> std::string {
+         return "Strengths are the model's alone: what it misses of the rock is not in the intervals.";
+       }},
       {Kind::design_nu_unseen, nu_unseen},
       {Kind::design_nu_given,
        [](F f) {
