@@ -210,6 +210,7 @@ std::string head(const Code& code, const std::string& rock, const char* mark) {
 
 /// Lines of a script: one statement per row.
 std::string script(const Code& code, V v, const std::string& rock) {
+  // Each language has its own mark of a comment.
   const bool flac = code.syntax == Syntax::flac;
   std::string text = head(code, rock, flac ? ";" : "#");
   for (const char* line : code.before) text += std::string(line) + "\n";
@@ -250,6 +251,7 @@ std::string xml(const Code& code, V v, const std::string& rock) {
     parameters += xml_parameter(row.name, text_of(row, v));
   }
   if (mfront) relation += "        </material_properties>\n";
+  // A right-handed pair of axes, one of them the normal.
   const double x = normal_across(v), y = normal_up(v);
   const std::string normal = digits(x) + " " + digits(y);
   const std::string along = mfront ? digits(-y) + " " + digits(x) : digits(y) + " " + digits(-x);
@@ -269,6 +271,7 @@ std::string angle_cell(const Key& key) { return std::isfinite(key.theta) ? digit
 }  // namespace
 
 double Values::operator()(Constant constant) const {
+  // No constant is in two parts.
   for (const Pooled* part : parts)
     if (part != nullptr && part->ok())
       if (const ConstantEstimate* e = part->find({constant})) return e->value;
@@ -282,6 +285,7 @@ std::span<const Code> codes() {
 }
 
 std::optional<std::string> file_of(const Code& code, const Values& values, const std::string& rock) {
+  // Half a material would run with the code's defaults in the gaps.
   for (const CodeRow& row : code.rows)
     if (!std::isfinite(row.value(values))) return {};
   switch (code.syntax) {
@@ -317,6 +321,7 @@ std::string covariance_csv(const Values& values) {
     const Pooled* part = values.parts[p];
     if (part == nullptr || !part->ok()) continue;
     for (std::size_t i = 0; i < part->constants.size(); ++i)
+      // The matrix is symmetric: its lower triangle.
       for (std::size_t j = 0; j <= i; ++j) {
         const ConstantEstimate &a = part->constants[i], &b = part->constants[j];
         const double covariance =

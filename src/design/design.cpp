@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/stats.hpp"
 
 namespace phy::design {
 namespace {
@@ -32,14 +36,23 @@ Fit fit_of(const DrawTests& draw, const StrengthLaw& law) {
   return fit;
 }
 
+/// Means over the draws, in logarithms: specimens of one packing scatter more than any law is wrong.
+StrengthPoints mean_points(const std::vector<DrawTests>& draws) {
+  std::map<std::pair<double, double>, std::vector<double>> logs;
+  for (const DrawTests& draw : draws)
+    for (const StrengthPoint& p : draw.compression) logs[{p.theta, p.sigma_3}].push_back(std::log(p.ucs));
+  StrengthPoints means;
+  for (const auto& [at, values] : logs)
+    means.push_back({at.first, std::exp(summarise(values).mean), at.second});
+  return means;
+}
+
 Pooled strengths_of(const DesignTests& tests, const StrengthLaw& law) {
   std::vector<Fit> fits;
-  std::vector<double> left_out;
-  for (const DrawTests& draw : tests.draws) {
-    fits.push_back(fit_of(draw, law));
-    left_out.push_back(left_out_error(law, draw.compression));
-  }
-  return pool(fits, left_out);
+  for (const DrawTests& draw : tests.draws) fits.push_back(fit_of(draw, law));
+  Pooled pooled = pool(fits);
+  pooled.left_out = left_out_error(law, mean_points(tests.draws));
+  return pooled;
 }
 
 void fit_parts(Design& d) {
@@ -75,6 +88,7 @@ Misses strengths_missed(const Design& d, const StrengthLaw& law) {
 /// Its moduli under the least stress, as the calibration compares them.
 Misses moduli_missed(const Design& d) {
   Misses misses;
+  // The laboratory's E is what the model's two dimensions were calibrated to.
   const auto S = plane_compliance(body_of(d.part(Part::elasticity).mean()), d.tests.reading.state);
   for (const Target& t : least_confined(d.tests.laboratory))
     if (t.property == Property::E) misses.add(std::log(theory::seen_at(S, t.theta).E / t.mean));
@@ -92,6 +106,7 @@ void add_laboratory(Design& d, Part part, const Misses& misses) {
 
 void find_laboratory(Design& d) {
   if (d.part(Part::elasticity).ok()) add_laboratory(d, Part::elasticity, moduli_missed(d));
+  // Every law against the same values, so that they compare.
   std::size_t n = 0;
   for (const StrengthLaw& law : strength_laws()) {
     if (!d.part(law.part).ok()) continue;
@@ -104,6 +119,7 @@ void find_laboratory(Design& d) {
 void find_refusals(Design& d) {
   for (std::size_t p = 0; p < n_parts; ++p) {
     const Pooled& part = d.parts[p];
+    // Nothing is said of what is whole.
     if (part.ok() && part.n_without == 0) continue;
     d.findings.push_back({.kind = part.ok() ? Kind::design_partly : Kind::design_refused,
                           .numbers = {{"draws", static_cast<double>(part.n_draws + part.n_without)},

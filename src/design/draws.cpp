@@ -17,6 +17,7 @@ struct Pair {
 /// Of all draws that have both.
 std::vector<Pair> pairs_of(const std::vector<Fit>& draws, const Key& a, const Key& b) {
   std::vector<Pair> pairs;
+  // A draw may have one of the two: of an inclination that it could not fit.
   for (const Fit& f : draws) {
     const auto i = std::find(f.keys.begin(), f.keys.end(), a), j = std::find(f.keys.begin(), f.keys.end(), b);
     if (!f.ok() || i == f.keys.end() || j == f.keys.end()) continue;
@@ -50,6 +51,7 @@ Variances variances_of(const std::vector<Pair>& pairs) {
 }
 
 ConstantEstimate estimate_of(const Key& key, const Variances& v) {
+  // On the scale of the fit: an interval of a modulus cannot reach below zero.
   const double half = student_t_95(v.degrees()) * std::sqrt(v.total());
   const Constant c = key.constant;
   return {key,
@@ -78,6 +80,7 @@ double rms(const std::vector<double>& values) {
   double squares = 0.0;
   std::size_t n = 0;
   for (const double v : values)
+    // A draw without the number says nothing of its error.
     if (std::isfinite(v)) squares += v * v, ++n;
   return n > 0 ? std::sqrt(squares / static_cast<double>(n)) : nan;
 }
@@ -115,12 +118,12 @@ Fit Pooled::mean() const {
   return fit;
 }
 
-Pooled pool(const std::vector<Fit>& draws, const std::vector<double>& left_out) {
+Pooled pool(const std::vector<Fit>& draws) {
   Pooled all;
   std::vector<double> errors;
   for (const Fit& f : draws) f.ok() ? errors.push_back(f.error) : void(++all.n_without);
   all.n_draws = errors.size();
-  all.error = rms(errors), all.left_out = rms(left_out);
+  all.error = rms(errors);
   const std::vector<Key> keys = keys_of(draws);
   if (all.n_draws < 2 || keys.empty()) {
     all.refusal = usual_refusal(draws);
@@ -128,6 +131,7 @@ Pooled pool(const std::vector<Fit>& draws, const std::vector<double>& left_out) 
   }
   all.refusal = Refusal::none;
   const auto n = static_cast<Eigen::Index>(keys.size());
+  // Pairs that no two draws have in common stay unknown.
   all.covariance = Eigen::MatrixXd::Constant(n, n, nan);
   std::vector<double> slopes;
   for (const Key& k : keys) {

@@ -22,7 +22,7 @@ struct Pooled {
   std::vector<ConstantEstimate> constants;
   Eigen::MatrixXd covariance;  ///< of the values [SI], in the same order
   double error = nan;          ///< of the fits, root mean square over the draws [-]
-  double left_out = nan;       ///< left_out_error(), the same way
+  double left_out = nan;       ///< left_out_error() of the means over the draws [-]
   std::size_t n_draws = 0, n_without = 0;
   Refusal refusal = Refusal::too_few;  ///< of most draws without constants, where no two draws have any
 
@@ -34,7 +34,7 @@ struct Pooled {
   Fit mean() const;
 };
 
-/// Needs two draws with a fit. `left_out`: of each draw.
-Pooled pool(const std::vector<Fit>& draws, const std::vector<double>& left_out = {});
+/// Needs two draws with a fit.
+Pooled pool(const std::vector<Fit>& draws);
 
 }  // namespace phy::design

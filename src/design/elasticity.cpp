@@ -34,6 +34,7 @@ TransverseIsotropy body_behind(const TransverseIsotropy& shown, const ElasticRea
 
 Eigen::VectorXd start_of(const std::vector<ElasticPoint>& points) {
   const ElasticPoint *across = &points.front(), *along = &points.front();
+  // Loads nearest to across and along the planes show E' and E almost by themselves.
   for (const ElasticPoint& p : points) {
     if (p.theta < across->theta) across = &p;
     if (p.theta > along->theta) along = &p;
@@ -66,6 +67,7 @@ Fit fit_elasticity(const std::vector<ElasticPoint>& points, const ElasticReading
                                 const TransverseIsotropy b = body_behind(seen(x), reading);
                                 y << std::log(b.E), std::log(b.E_n), b.nu, b.nu_n, std::log(b.G_n);
                               });
+  // A given nu may be one that no body with these moduli has.
   return fit.ok() && !is_admissible(body_of(fit)) ? refused(Refusal::not_admissible) : fit;
 }
 

@@ -76,6 +76,7 @@ double shade_of(std::size_t i, std::size_t n) {
 /// Mean and range of the draws at an inclination; nothing where no draw has a value.
 void add_point(Series& series, double theta, const std::vector<double>& values) {
   if (values.empty()) return;
+  // The range of few draws says more than a standard deviation.
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   series.points.push_back({theta, summarise(values).mean, *low, *high});
 }
@@ -96,6 +97,7 @@ std::vector<double> angles_of(const Design& d) {
   std::vector<double> angles;
   for (const DrawTests& draw : d.tests.draws)
     for (const StrengthPoint& p : draw.compression) angles.push_back(p.theta);
+  // Each once, whatever draws have no strength there.
   std::sort(angles.begin(), angles.end());
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   return angles;
@@ -104,6 +106,7 @@ std::vector<double> angles_of(const Design& d) {
 /// The laboratory's values of a property; of strengths those under this stress.
 Series laboratory_series(const Design& d, Property property, double stress) {
   Series s{.name = "laboratory", .mark = Mark::points, .role = Role::laboratory};
+  // UCS is the strength under no stress.
   for (const Target& t : d.tests.laboratory) {
     const bool strength = property == Property::confined;
     const bool of = strength ? (t.property == Property::ucs || t.property == Property::confined) &&
@@ -194,6 +197,7 @@ std::vector<SheetTable> sheet_tables(const Design& design) {
   for (std::size_t p = 0; p < n_parts; ++p) {
     const auto part = static_cast<Part>(p);
     const Pooled& pooled = design.part(part);
+    // Why a part is missing stands among the findings.
     if (pooled.ok())
       tables.push_back(part == Part::hoek_brown ? angle_table(part, pooled) : plain_table(part, pooled));
   }

@@ -145,6 +145,7 @@ Fit fit_angle(const StrengthPoints& points) {
 
 /// Side by side: what one inclination has says nothing of another.
 Fit joined(const std::vector<Fit>& fits) {
+  // Blocks of a diagonal.
   Fit all{.refusal = Refusal::none};
   double squares = 0.0;
   for (const Fit& f : fits) {
@@ -220,6 +221,7 @@ Fit fit_hoek_brown(const StrengthPoints& points) {
   }
   if (fits.empty()) return refused(points.empty() ? Refusal::too_few : Refusal::falling);
   const Fit all = joined(fits);
+  // k is over the m of planes across the load, which somebody has to have tested.
   if (all.keys.front().theta > across_planes) return all;
   std::vector<Key> keys = all.keys;
   for (const Fit& f : fits) keys.push_back({k_beta, f.keys.front().theta});
@@ -235,6 +237,7 @@ Fit fit_fabric(const StrengthPoints& points) {
   const Law law = law_of(points, [](const Eigen::VectorXd& x, const StrengthPoint& p) {
     return theory::fabric_sigma_1(fabric_of(x), p.theta, p.sigma_3);
   });
+  // Begins with a rock that is the same in all directions.
   const theory::Coulomb mean = coulomb_through(points);
   const Fit fit = fit_law(law, {{c_0}, {phi_0}, {omega}, {omega_2}},
                           {vector_of({std::log(mean.cohesion), mean.friction, 0.0, 0.0})});
@@ -247,6 +250,7 @@ Fit fit_tension(const StrengthPoints& points) {
     if (p.theta == 0.0) across.push_back(std::log(p.ucs));
     if (p.theta == 90.0) along.push_back(std::log(p.ucs));
   }
+  // In between planes open or rock tears: the law of both needs no third number.
   if (across.empty() || along.empty()) return refused(Refusal::too_few);
   Fit fit{.refusal = Refusal::none, .keys = {{sigma_tj}, {sigma_t}}, .error = 0.0, .n = points.size()};
   fit.x = vector_of({summarise(across).mean, summarise(along).mean});
@@ -267,6 +271,7 @@ double left_out_error(const StrengthLaw& law, const StrengthPoints& points) {
     std::copy_if(points.begin(), points.end(), std::back_inserter(others),
                  [&](const StrengthPoint& p) { return p.sigma_3 != left_out; });
     const Fit fit = law.fit(others);
+    // A mean over the stresses that could be predicted would flatter the law.
     if (!fit.ok()) return nan;
     for (const StrengthPoint& p : points) {
       const double miss = std::log(law.sigma_1(fit, p.theta, p.sigma_3) / p.ucs);
