@@ -139,14 +139,6 @@ void find_elasticity(Design& d) {
                                     : Kind::design_plane_strain});
 }
 
-void find_errors(Design& d) {
-  for (const StrengthLaw& law : strength_laws())
-    if (const Pooled& part = d.part(law.part); part.ok() && std::isfinite(part.left_out))
-      d.findings.push_back({.kind = Kind::design_left_out,
-                            .numbers = {{"error", part.left_out}, {"fit", part.error}},
-                            .names = {word_of(law.part)}});
-}
-
 }  // namespace
 
 Values Design::values() const {
@@ -167,7 +159,8 @@ Design design_of(DesignTests tests) {
                                     {"draws", static_cast<double>(d.tests.draws.size())},
                                     {"tests", static_cast<double>(n)}}});
   d.findings.push_back({.kind = d.tests.of_rock ? Kind::design_of_rock : Kind::design_of_model});
-  find_elasticity(d), find_refusals(d), find_errors(d), find_laboratory(d);
+  find_elasticity(d), find_refusals(d), find_laboratory(d);
+  d.findings.push_back({.kind = Kind::design_left_out});
   d.findings.push_back({.kind = Kind::design_strike});
   d.findings.push_back({.kind = Kind::design_not_fitted});
   return d;

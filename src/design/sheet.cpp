@@ -206,6 +206,7 @@ std::vector<SheetTable> sheet_tables(const Design& design) {
 
 Figure design_figure(const Design& design) {
   Figure figure;
+  figure.aspect = 0.65;  // low: all of it is one sheet of paper
   figure.panels = {strength_panel(design), elastic_panel(design, Property::E),
                    elastic_panel(design, Property::nu)};
   fit_axes(figure);

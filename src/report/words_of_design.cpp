@@ -54,12 +54,6 @@ std::string reading_of(const char* state) {
                      state);
 }
 
-std::string left_out(F f) {
-  return fmt::format(
-      "The {} law misses a confining stress that it was not fitted to by {} (rms); its fit by {}.",
-      f.names[0], percent_text(f.number("error")), percent_text(f.number("fit")));
-}
-
 std::string laboratory(F f) {
   const double mean = f.number("mean");
   return fmt::format(
@@ -92,7 +86,12 @@ const std::vector<Wording>& words_of_design() {
       {Kind::design_plane_strain, [](F) { return reading_of("plane strain"); }},
       {Kind::design_refused, refused},
       {Kind::design_partly, partly},
-      {Kind::design_left_out, left_out},
+      {Kind::design_left_out,
+       [](F) -> std::string {
+         return "Fit: what a law misses of the tests, root mean square. Stress left out: the same of means "
+                "under a "
+                "confining stress that the law was not fitted to.";
+       }},
       {Kind::design_laboratory, laboratory},
       {Kind::design_no_laboratory,
        [](F) -> std::string { return "The laboratory's table has no strength inside the range."; }},
