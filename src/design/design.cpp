@@ -64,11 +64,13 @@ void fit_parts(Design& d) {
     tension.push_back(fit_tension(draw.tension));
   }
   part(Part::elasticity) = pool(elasticity), part(Part::tension) = pool(tension);
-  for (const StrengthLaw& law : strength_laws()) part(law.part) = strengths_of(tests, law);
-  if (tests.weak_planes) return;
-  // Rock without joints on planes may look as if it had one; where it slips there is nothing to slip on.
-  part(Part::ubiquitous_joint) = Pooled{};
-  part(Part::ubiquitous_joint).refusal = Refusal::no_plane;
+  for (const StrengthLaw& law : strength_laws()) {
+    // The fabric stands in for a plane, in the order of the list.
+    if (law.part == Part::fabric && part(Part::ubiquitous_joint).ok()) continue;
+    // Rock without joints on planes may look as if it had one: there is nothing to slip on.
+    const bool nothing = law.part == Part::ubiquitous_joint && !tests.weak_planes;
+    part(law.part) = nothing ? Pooled{.refusal = Refusal::no_plane} : strengths_of(tests, law);
+  }
 }
 
 bool inside(const DesignTests& tests, double stress) {
@@ -116,11 +118,16 @@ void find_laboratory(Design& d) {
   if (n == 0) d.findings.push_back({.kind = Kind::design_no_laboratory});
 }
 
+/// A fabric that nobody needs.
+bool is_stood_in(const Design& d, Part part) {
+  return part == Part::fabric && d.part(Part::ubiquitous_joint).ok();
+}
+
 void find_refusals(Design& d) {
   for (std::size_t p = 0; p < n_parts; ++p) {
     const Pooled& part = d.parts[p];
     // Nothing is said of what is whole.
-    if (part.ok() && part.n_without == 0) continue;
+    if (part.ok() ? part.n_without == 0 : is_stood_in(d, static_cast<Part>(p))) continue;
     d.findings.push_back({.kind = part.ok() ? Kind::design_partly : Kind::design_refused,
                           .numbers = {{"draws", static_cast<double>(part.n_draws + part.n_without)},
                                       {"without", static_cast<double>(part.n_without)}},

@@ -19,10 +19,10 @@ struct ConstantEstimate {
 
 /// Of all draws together.
 struct Pooled {
-  std::vector<ConstantEstimate> constants;
-  Eigen::MatrixXd covariance;  ///< of the values [SI], in the same order
-  double error = nan;          ///< of the fits, root mean square over the draws [-]
-  double left_out = nan;       ///< left_out_error() of the means over the draws [-]
+  std::vector<ConstantEstimate> constants = {};
+  Eigen::MatrixXd covariance = {};  ///< of the values [SI], in the same order
+  double error = nan;               ///< of the fits, root mean square over the draws [-]
+  double left_out = nan;            ///< left_out_error() of the means over the draws [-]
   std::size_t n_draws = 0, n_without = 0;
   Refusal refusal = Refusal::too_few;  ///< of most draws without constants, where no two draws have any
 

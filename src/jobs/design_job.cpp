@@ -9,6 +9,7 @@
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "calibrate/discrepancy.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/strength_tests.hpp"
@@ -62,8 +63,16 @@ std::vector<Recipe> tension_recipes(const Recipe& draw, const std::vector<double
   return recipes;
 }
 
-std::vector<Recipe> compression_recipes(const Recipe& draw, const std::vector<double>& stresses) {
+/// Under the stresses that are asked for, and where the table has strengths.
+std::vector<Recipe> compression_recipes(const Recipe& draw, const std::vector<double>& stresses,
+                                        const std::vector<Target>& cells) {
   std::vector<Recipe> recipes;
+  const auto asked = [&](const Target& t) {
+    return std::find(stresses.begin(), stresses.end(), t.confining) != stresses.end() &&
+           std::find(draw.test.angles.begin(), draw.test.angles.end(), t.theta) != draw.test.angles.end();
+  };
+  for (const Target& t : cells)
+    if (!asked(t)) recipes.push_back(turned(study::confined_recipe(draw, t.confining), t.theta));
   for (const double stress : stresses)
     for (Recipe& single : study::single_recipes(study::confined_recipe(draw, stress)))
       // Rock between the layers is none of what a continuum is made of.
@@ -105,22 +114,49 @@ void add_strengths(std::vector<DrawTests>& draws, const std::vector<Asked>& aske
   }
 }
 
+/// Residuals of the calibration with what its draws miss in tests, not by the search's stand-in for them.
+std::vector<StrengthResidual> residuals_of(const DesignPlan& plan, const std::vector<DrawTests>& draws) {
+  std::vector<StrengthResidual> residuals;
+  for (StrengthResidual r : plan.calibration.residuals) {
+    if (!is_compressive(r.target.property)) continue;
+    r.of_draws.clear();
+    for (const DrawTests& draw : draws) {
+      const auto test = std::find_if(draw.compression.begin(), draw.compression.end(), [&](const auto& p) {
+        return p.theta == r.target.theta && p.sigma_3 == r.target.confining;
+      });
+      // A draw without a strength there is corrected as the estimate is.
+      r.of_draws.push_back(test != draw.compression.end() ? std::log(r.target.mean / test->ucs) : r.value);
+    }
+    residuals.push_back(std::move(r));
+  }
+  return residuals;
+}
+
 /// From the model's strengths to the rock's: a draw that is too strong is brought back, angle by angle and
 /// stress by stress.
 void correct(std::vector<DrawTests>& draws, const DesignPlan& plan) {
-  if (!plan.discrepancy) return;
+  if (plan.cells.empty()) return;
+  const calibrate::Discrepancy discrepancy(residuals_of(plan, draws));
   for (std::size_t k = 0; k < draws.size(); ++k) {
     double variance = 0.0;
     for (design::StrengthPoint& p : draws[k].compression) {
       Target t;
       t.property = Property::confined, t.theta = p.theta, t.confining = p.sigma_3;
-      const calibrate::Discrepancy::Term term = plan.discrepancy->at(t);
-      p.ucs *= std::exp(plan.discrepancy->of_draw(term, plan.numbers[k]));
+      const calibrate::Discrepancy::Term term = discrepancy.at(t);
+      p.ucs *= std::exp(discrepancy.of_draw(term, k));
       variance += term.variance / static_cast<double>(draws[k].compression.size());
     }
     // Smooth over the angles and stresses: taken as one factor on all of them.
     draws[k].unknown_factor = std::sqrt(variance);
   }
+}
+
+/// Leaves the stresses that were asked for: others were tested for the sake of the table alone.
+void keep_asked(std::vector<DrawTests>& draws, const std::vector<double>& stresses) {
+  for (DrawTests& draw : draws)
+    std::erase_if(draw.compression, [&](const design::StrengthPoint& p) {
+      return std::find(stresses.begin(), stresses.end(), p.sigma_3) == stresses.end();
+    });
 }
 
 /// A row per test.
@@ -169,7 +205,7 @@ std::size_t DesignPlan::n_tests() const {
 
 DesignPlan plan_design(const DesignRequest& request) {
   const std::string path = recipe_of(request.calibration);
-  DesignPlan plan{request, io::read_recipe(path), {}, {}, {}, {}};
+  DesignPlan plan{request, io::read_recipe(path), {}, {}, {}};
   if (!layered(plan.recipe))
     throw InputError(Problem{path, "design", "", "a rock with layers",
                              "`phyllite envelope --ensemble` gives c, phi and m_i of a rock without any"});
@@ -179,12 +215,11 @@ DesignPlan plan_design(const DesignRequest& request) {
     throw InputError(Problem{"command line", "--draws", fmt::format("{}", n),
                              fmt::format("{} to {} draws", fewest_draws, draws.size()), ""});
   for (std::size_t k = 0; k < n; ++k) {
-    plan.numbers.push_back(k * (draws.size() - 1) / (n - 1));
-    plan.draws.push_back(draws[plan.numbers.back()]);
+    plan.draws.push_back(draws[k * (draws.size() - 1) / (n - 1)]);
   }
-  if (!request.model_alone) plan.discrepancy = read_discrepancy(path, draws.size());
-  if (plan.discrepancy && !plan.discrepancy->knows(Property::confined)) plan.discrepancy.reset();
   plan.calibration = read_calibration(fs::path(path).parent_path().string());
+  for (const StrengthResidual& r : plan.calibration.residuals)
+    if (!request.model_alone && is_compressive(r.target.property)) plan.cells.push_back(r.target);
   if (holds_calibration(request.out))
     throw InputError(Problem{"command line", "--out", request.out, "",
                              "it holds a calibration, and a design has a folder of its own"});
@@ -202,7 +237,7 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
                             .draws = elasticity_of(elastic, plan.draws.size()),
                             .laboratory = table_of(plan.calibration),
                             .reading = plan.request.reading,
-                            .of_rock = plan.discrepancy.has_value(),
+                            .of_rock = !plan.cells.empty(),
                             .dip = plan.request.dip};
   std::vector<Recipe> recipes;
   std::vector<Asked> asked;
@@ -210,11 +245,12 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
     const auto& seen = tests.draws[k].elasticity;
     for (Recipe& r : tension_recipes(plan.draws[k], {seen.front().E, seen.back().E}))
       recipes.push_back(std::move(r)), asked.push_back({k, true});
-    for (Recipe& r : compression_recipes(plan.draws[k], plan.request.stresses))
+    for (Recipe& r : compression_recipes(plan.draws[k], plan.request.stresses, plan.cells))
       recipes.push_back(std::move(r)), asked.push_back({k, false});
   }
   add_strengths(tests.draws, asked, recipes, simulator.test(recipes));
   correct(tests.draws, plan);
+  keep_asked(tests.draws, plan.request.stresses);
   return design::design_of(std::move(tests));
 }
 

@@ -1,10 +1,8 @@
 // `phyllite design`: the tests of the draws of a calibration, and all files that come of them.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "calibrate/discrepancy.hpp"
 #include "calibrate/simulator.hpp"
 #include "design/design.hpp"
 
@@ -25,9 +23,8 @@ struct DesignPlan {
   DesignRequest request;
   Recipe recipe;
   std::vector<Recipe> draws;
-  std::vector<std::size_t> numbers;  ///< of the draws in the calibration, from 0
   Calibration calibration;
-  std::optional<calibrate::Discrepancy> discrepancy;
+  std::vector<Target> cells;  ///< strengths in compression of the table, whose misfit corrects the draws
 
   std::size_t n_tests() const;  ///< in compression and tension
 };

@@ -1,5 +1,5 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
-import { Calibration, Design, Comparison, Estimate, Column, Line, Report, Test, Yardstick, lastUpTo, readReport, readScene } from "./data";
+import { Calibration, Comparison, Estimate, Column, Line, Report, Test, Yardstick, lastUpTo, readReport, readScene } from "./data";
 import { Child, Chart, check, choice, copyButton, figure, fold, h, labelled, table as plainTable, theme } from "./dom";
 import { Drawn, Figure, Panel, axisLabel, draw, legend } from "./figure";
 import { labelSpecimens } from "./labels";
@@ -633,16 +633,12 @@ function values() {
 function design() {
   const d = report.design;
   if (!d) return;
-  // Parts with a constant per row are one table, so that all of it is one sheet of paper; others have an inclination per row.
-  const plain = (t: Design["tables"][number]) => t.head.length === 4;
-  const [one, others] = [d.tables.filter(plain), d.tables.filter((t) => !plain(t))];
-  const rows = one.flatMap((t) => t.rows.map((r, i) => [i === 0 ? t.title : "", ...r]));
   section(
     "design",
     "Constants for other codes",
     ...drawn(d.figure, false),
-    one.length > 0 && table("Constants", ["part", ...one[0].head], rows, null, [4]),
-    ...others.map((t) => table(t.title, t.head, t.rows, t.title)),
+    // Where a row is a constant, its meaning is the last of four cells.
+    h("div", { class: "compact" }, ...d.tables.map((t) => table(t.title, t.head, t.rows, t.title, t.head.length === 4 ? [3] : []))),
     h("div", { class: "remarks" }, ...d.findings.map((f) => h("p", {}, f.text))),
   );
 }
