@@ -54,6 +54,11 @@ std::string reading_of(const char* state) {
                      state);
 }
 
+std::string errors(F) {
+  return "Fit: what a law misses of the tests, root mean square. Stress left out: the same of means under a "
+         "stress that the law was not fitted to.";
+}
+
 std::string laboratory(F f) {
   const double mean = f.number("mean");
   return fmt::format(
@@ -86,12 +91,7 @@ const std::vector<Wording>& words_of_design() {
       {Kind::design_plane_strain, [](F) { return reading_of("plane strain"); }},
       {Kind::design_refused, refused},
       {Kind::design_partly, partly},
-      {Kind::design_left_out,
-       [](F) -> std::string {
-         return "Fit: what a law misses of the tests, root mean square. Stress left out: the same of means "
-                "under a "
-                "confining stress that the law was not fitted to.";
-       }},
+      {Kind::design_left_out, errors},
       {Kind::design_laboratory, laboratory},
       {Kind::design_no_laboratory,
        [](F) -> std::string { return "The laboratory's table has no strength inside the range."; }},
