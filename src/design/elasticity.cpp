@@ -47,9 +47,11 @@ Eigen::VectorXd start_of(const std::vector<ElasticPoint>& points) {
 
 }  // namespace
 
-Fit fit_elasticity(const std::vector<ElasticPoint>& points, const ElasticReadingOf2D& reading) {
-  for (const ElasticPoint& p : points)
-    if (!(p.E > 0.0) || !std::isfinite(p.nu)) return refused(Refusal::too_few);
+Fit fit_elasticity(const std::vector<ElasticPoint>& all, const ElasticReadingOf2D& reading) {
+  std::vector<ElasticPoint> points;
+  // A specimen without a solution leaves the others.
+  for (const ElasticPoint& p : all)
+    if (p.E > 0.0 && std::isfinite(p.nu)) points.push_back(p);
   if (points.size() < 3) return refused(Refusal::too_few);
   const Law law{2 * points.size(), [&](const Eigen::VectorXd& x, Eigen::VectorXd& misfits) {
                   const theory::PlaneCompliance body = plane_compliance(seen(x), theory::PlaneState::stress);
