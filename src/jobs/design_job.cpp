@@ -243,7 +243,9 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
   std::vector<Asked> asked;
   for (std::size_t k = 0; k < plan.draws.size(); ++k) {
     const auto& seen = tests.draws[k].elasticity;
-    for (Recipe& r : tension_recipes(plan.draws[k], {seen.front().E, seen.back().E}))
+    // Only the speed of the grips hangs on it, where a specimen has no solution.
+    const auto modulus = [&](double E) { return E > 0.0 ? E : plan.draws[k].matrix.modulus(); };
+    for (Recipe& r : tension_recipes(plan.draws[k], {modulus(seen.front().E), modulus(seen.back().E)}))
       recipes.push_back(std::move(r)), asked.push_back({k, true});
     for (Recipe& r : compression_recipes(plan.draws[k], plan.request.stresses, plan.cells))
       recipes.push_back(std::move(r)), asked.push_back({k, false});
