@@ -17,7 +17,7 @@ FLOORS = {
     "engine": 3, "analysis": 3, "events": 3, "io": 3,
     "genesis": 4, "lab": 4, "statics": 4, "rock": 4,
     "study": 5, "report": 5,
-    "survey": 6, "maps": 6, "calibrate": 6, "verdict": 6, "verification": 6,
+    "survey": 6, "maps": 6, "calibrate": 6, "design": 6, "verdict": 6, "verification": 6,
     "jobs": 7,
     "cli": 8, "gui": 8, "python": 8,
 }

@@ -40,8 +40,8 @@ using AddVerb = void(CLI::App& app, Session& session);
 AddVerb add_run_command, add_specimen_command, add_verify_command, add_recipe_command, add_contact_command,
     add_study_command, add_elastic_command, add_rock_command, add_rocks_command, add_show_command,
     add_replay_command, add_calibrate_command, add_report_command, add_figure_command, add_film_command,
-    add_export_command, add_compare_command, add_envelope_command, add_gui_command, add_man_command,
-    add_completion_command;
+    add_export_command, add_compare_command, add_envelope_command, add_design_command, add_gui_command,
+    add_man_command, add_completion_command;
 
 /// Writes report.html of a study or calibration into its folder and prints its name.
 void write_report(const std::string& folder);

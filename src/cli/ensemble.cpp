@@ -19,10 +19,9 @@
 #include "io/file.hpp"
 #include "io/output.hpp"
 #include "io/toml_in.hpp"
-#include "jobs/calibration_folder.hpp"
+#include "jobs/ensemble.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
-#include "report/calibration_files.hpp"
 #include "report/words.hpp"
 #include "study/band.hpp"
 #include "study/experiment.hpp"
@@ -32,54 +31,6 @@ namespace phy::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The band of n draws holds the next one with (n - 1)/(n + 1): of a single draw with 0.
-constexpr std::size_t fewest_draws = 2;
-
-/// The draws beside a recipe, each with its test and its settings of the engine.
-std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
-  const std::string folder = fs::path(path).parent_path().string();
-  std::vector<Recipe> draws;
-  // By number until one is missing, so that draw k is draw k of the discrepancy, too.
-  for (std::string file; fs::exists(file = jobs::ensemble_file(folder, draws.size()));) {
-    draws.push_back(io::read_recipe(file));
-    // The draws differ in the rock alone: test and engine are those of the file that was named.
-    draws.back().test = recipe.test, draws.back().engine = recipe.engine;
-    draws.back().test.n_snapshots = draws.back().test.n_frames = 0;  // the store keeps no pictures
-  }
-  std::size_t n_files = 0;
-  std::error_code none;
-  // A gap in the numbers ends the loop above: files beyond it would be left out unseen.
-  for (const auto& entry :
-       fs::directory_iterator(fs::path(jobs::ensemble_file(folder, 0)).parent_path(), none))
-    n_files += entry.path().extension() == ".toml" ? 1 : 0;
-  if (n_files > draws.size())
-    throw InputError(Problem{
-        path, "--ensemble", fmt::format("{} files", n_files),
-        "draws that are numbered without a gap, " + jobs::ensemble_file(folder, draws.size()) + " among them",
-        "a band of some of the draws is another one: bring the file back"});
-  if (draws.size() < fewest_draws)
-    throw InputError(
-        Problem{path, "--ensemble", "",
-                "the draws of a calibration beside it, " + jobs::ensemble_file(folder, 0) + " and so on",
-                "give calibrated.toml in the folder where `phyllite calibrate` has left it; one of before "
-                "this version, "
-                "or by --method sequence, has no draws"});
-  return draws;
-}
-
-/// What the calibration beside a recipe misses of its table; nothing: it is not there, it fitted no strengths
-/// or is of an earlier version.
-std::optional<calibrate::Discrepancy> read_discrepancy(const std::string& path, std::size_t n_draws) {
-  // The residuals come from the calibration's own file: recomputing them would take all of its tests again.
-  const std::string file = (fs::path(path).parent_path() / "calibration.json").string();
-  const auto text = io::read_if_file(file, largest_document);
-  if (!text) return {};
-  calibrate::Discrepancy discrepancy(report::comparisons_of(*text, file).residuals);
-  // A draw without its residuals could have no band of the rock, and a band of the others is another one.
-  if (discrepancy.n_draws() < n_draws) return {};
-  return discrepancy;
-}
 
 /// A test of an ensemble.
 struct Job {
@@ -339,7 +290,7 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
   const std::string path = only_recipe(args.recipes);
   const int width = session.terminal_width;
   const Recipe recipe = io::read_recipe(path);
-  const std::vector<Recipe> draws = read_draws(path, recipe);
+  const std::vector<Recipe> draws = jobs::read_draws(path, recipe, "--ensemble");
   const std::string tests = (fs::path(args.out) / "ensemble.csv").string();
   const std::string band = (fs::path(args.out) / "band.csv").string();
   // Both keep a runs.sqlite: mixed, --resume of the calibration would find tests that are not its own.
@@ -349,7 +300,7 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
                              "Choose another --out"});
   io::check_outputs({tests, band});
   io::check_writable(args.out);
-  Tested tested{draws, confining, jobs_of(draws, confining), read_discrepancy(path, draws.size())};
+  Tested tested{draws, confining, jobs_of(draws, confining), jobs::read_discrepancy(path, draws.size())};
   std::vector<Job>& jobs = tested.jobs;
   print_wrapped(width, 10,
                 "ensemble  {} draws beside {}, {} tests; of the file itself: [test] and [engine]\n",

@@ -15,6 +15,7 @@
 #include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
+#include "cli/stresses.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
@@ -45,37 +46,7 @@ struct EnvelopeArguments {
 };
 
 /// Tests of one stress stand in a folder as `phyllite run` leaves it.
-std::string folder_of(double sigma_3) {
-  // Six digits of {:g}: stresses that differ only beyond would share a folder, which read_stresses refuses.
-  return io::folder_name(fmt::format("sigma_3 = {:g} MPa", sigma_3 * 1e-6));
-}
-
-std::vector<double> read_stresses(const std::vector<std::string>& words) {
-  // The range of the recipe's own key, so that the command line and a recipe refuse the same stresses.
-  const Field& range = *find_field(recipe_fields(), "test.confining_stress");
-  std::vector<double> stresses;
-  std::vector<Problem> problems;
-  for (const std::string& word : words) {
-    const Quantity q = parse_quantity(word, Dimension::pressure);
-    if (!q.ok)
-      problems.push_back({"command line", "--confining", word, "a stress with its unit", q.problem});
-    else if (!within_range(range, q.value))
-      problems.push_back({"command line", "--confining", word, range_text(range), ""});
-    stresses.push_back(q.value);
-  }
-  // Columns rise from left to right, whatever the order in which they were typed.
-  std::sort(stresses.begin(), stresses.end());
-  const bool twice = std::adjacent_find(stresses.begin(), stresses.end(), [](double a, double b) {
-                       return folder_of(a) == folder_of(b);
-                     }) != stresses.end();
-  // Only for stresses that could be read: a word without a unit would else be told twice.
-  if (problems.empty() && (twice || stresses.size() < 3))
-    problems.push_back({"command line", "--confining", fmt::format("{}", fmt::join(words, ", ")),
-                        "at least three stresses, each once",
-                        "two unknowns and their errors need three stresses"});
-  if (!problems.empty()) throw InputError(problems);
-  return stresses;
-}
+std::string folder_of(double sigma_3) { return io::folder_name("sigma_3 = " + stress_text(sigma_3)); }
 
 /// NaN where there is no fit.
 template <class Fit>
@@ -288,7 +259,7 @@ std::vector<std::shared_ptr<const Specimen>> specimens_of(const Recipe& recipe) 
 }
 
 int envelope_of(const EnvelopeArguments& args, const Session& session) {
-  const std::vector<double> confining = read_stresses(args.confining);
+  const std::vector<double> confining = read_stresses("--confining", args.confining);
   // Draws keep their tests in a store, so none of the folders below is made.
   if (args.ensemble) return run_ensemble({{args.recipe}, args.out, args.with_untrusted}, session, confining);
   const Recipe recipe = io::read_recipe(args.recipe);

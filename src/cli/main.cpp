@@ -97,12 +97,12 @@ void refuse_empty_names(CLI::App& app) {
 /// In the order of --help. `man` and `completion`, which describe all others, come last.
 constexpr auto verbs = [] {
   using namespace phy::cli;
-  return std::array{add_run_command,       add_specimen_command, add_verify_command,  add_recipe_command,
-                    add_contact_command,   add_study_command,    add_elastic_command, add_rock_command,
-                    add_rocks_command,     add_show_command,     add_replay_command,  add_calibrate_command,
-                    add_report_command,    add_figure_command,   add_film_command,    add_export_command,
-                    add_compare_command,   add_envelope_command, add_gui_command,     add_man_command,
-                    add_completion_command};
+  return std::array{add_run_command,     add_specimen_command,  add_verify_command,  add_recipe_command,
+                    add_contact_command, add_study_command,     add_elastic_command, add_rock_command,
+                    add_rocks_command,   add_show_command,      add_replay_command,  add_calibrate_command,
+                    add_report_command,  add_figure_command,    add_film_command,    add_export_command,
+                    add_compare_command, add_envelope_command,  add_design_command,  add_gui_command,
+                    add_man_command,     add_completion_command};
 }();
 
 int run(std::vector<std::string> words) {

@@ -220,6 +220,18 @@ const std::vector<ManText>& texts() {
        {{"",
          "phyllite envelope examples/pfc2d/specimen.toml --confining \"0 MPa,5 MPa,10 MPa\" --out "
          "results/envelope"}}},
+      {"design",
+       "Tests draws of a calibration under several confining stresses and fits the constants that other "
+       "codes ask for. These are transversely isotropic elasticity, a plane of weakness in a rock, tensile "
+       "cut-offs, Hoek-Brown by inclination, and a fabric. Each has a 95 % interval. Tests are kept in the "
+       "folder, and the same command goes on with them.",
+       {{"results/design/design.csv, covariance.csv", "every constant; covariances of each part"},
+        {"results/design/tests.csv, runs.sqlite", "what was fitted; the store of the tests"},
+        {"results/design/report.html, design.json", "one sheet, for a browser and for programs"},
+        {"results/design/flac-*.dat, plaxis-*.csv, rs2-*.py, ogs-*.xml", "a file per code and model"}},
+       {{"Four draws between 0 and 20 MPa:",
+         "phyllite design results/twin --draws 4 --stresses \"0 MPa,5 MPa,10 MPa,20 MPa\" --out "
+         "results/design"}}},
       {"gui",
        "Serves a page to work in on 127.0.0.1, for a browser on the same machine, and prints its address, "
        "which "

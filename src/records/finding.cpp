@@ -13,6 +13,7 @@ constexpr std::string_view kinds[] = {
 #define PHY_WORD(word) #word,
 #include "records/finding_of_calibration.def"
 #include "records/finding_of_course.def"
+#include "records/finding_of_design.def"
 #include "records/finding_of_maps.def"
 #include "records/finding_of_table.def"
 };

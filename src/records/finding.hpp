@@ -38,6 +38,7 @@ enum class FindingKind : std::uint8_t {
 #define PHY_WORD(word) word,
 #include "records/finding_of_calibration.def"
 #include "records/finding_of_course.def"
+#include "records/finding_of_design.def"
 #include "records/finding_of_maps.def"
 #include "records/finding_of_table.def"
 #undef PHY_WORD

@@ -16,8 +16,8 @@ namespace {
 
 std::map<FindingKind, Wording> all_words() {
   std::map<FindingKind, Wording> all;
-  for (const auto* list :
-       {&words_of_table(), &words_of_maps(), &words_of_calibration(), &words_of_notes(), &words_of_course()})
+  for (const auto* list : {&words_of_table(), &words_of_maps(), &words_of_calibration(), &words_of_notes(),
+                           &words_of_course(), &words_of_design()})
     for (const Wording& w : *list) all[w.kind] = w;
   return all;
 }

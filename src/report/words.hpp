@@ -85,5 +85,6 @@ std::string advice_of_table(Advice advice, const Finding& of);
 const std::vector<Wording>& words_of_calibration();
 const std::vector<Wording>& words_of_notes();
 const std::vector<Wording>& words_of_course();
+const std::vector<Wording>& words_of_design();
 
 }  // namespace phy::report

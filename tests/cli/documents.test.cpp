@@ -67,6 +67,8 @@ std::string small(const std::string& shown) {
       // the page runs until it is stopped: tests/cli/gui.test.cpp
       {"gui rocks", "gui --help"},
       {"gui rocks --port 8642", "gui --help"},
+      // of a calibration with draws: tests/cli/calibrate.test.cpp
+      {"design CALIBRATION", "design --help"},
       {"rock check shale.toml", "rock check rock.toml"},
       {"calibrate shale.toml --out shale-calibration", "calibrate rock.toml --elastic --out again/gui"},
       {"report shale-calibration", "report again/gui"},

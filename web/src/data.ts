@@ -87,6 +87,13 @@ export interface Calibration {
   notes: Finding[];
 }
 
+/** The sheet of a design: constants for other codes (src/design/sheet.cpp). */
+export interface Design {
+  tables: { title: string; head: string[]; rows: string[][] }[];
+  findings: Finding[];
+  figure: Figure;
+}
+
 /** K over k, and the line K = slope k + intercept [Pa/m]; null: not determined. */
 export interface Line {
   ratio: number | null;
@@ -164,6 +171,7 @@ interface RawReport {
   calibration: Calibration | null;
   figures: Figures;
   effects: string[][]; // effects.csv of a study, header first; empty: none
+  design: Design | null;
   methods: string[];
   recipe: string;
 }

@@ -640,6 +640,22 @@ function values() {
   );
 }
 
+// --- design --------------------------------------------------------------------------------------------------
+
+/** One sheet: charts, constants, what to keep in mind. */
+function design() {
+  const d = report.design;
+  if (!d) return;
+  section(
+    "design",
+    "Constants for other codes",
+    ...drawn(d.figure, false),
+    // Where a row is a constant, its meaning is the last of four cells.
+    h("div", { class: "compact" }, ...d.tables.map((t) => table(t.title, t.head, t.rows, t.title, t.head.length === 4 ? [3] : []))),
+    h("div", { class: "remarks" }, ...d.findings.map((f) => h("p", {}, f.text))),
+  );
+}
+
 // --- studies -------------------------------------------------------------------------------------------------
 
 /** Means as they are drawn, the places across. */
@@ -731,7 +747,7 @@ function start() {
   document.getElementById("test")!.textContent = done();
   const n = report.tests.length;
   const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
-  const about = report.calibration ? "calibration" : report.figures.study ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
+  const about = report.calibration ? "calibration" : report.figures.study ? "study" : report.design ? "design" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
   document.getElementById("subtitle")!.textContent = about;
   cover();
   theme(() => {
@@ -740,6 +756,7 @@ function start() {
   });
   main.append(...notices().filter((x): x is HTMLElement => x instanceof HTMLElement));
   calibration();
+  design();
   studies();
   effects();
   if (n > 0) {

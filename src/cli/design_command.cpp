@@ -1,0 +1,124 @@
+// `phyllite design CALIBRATION`: constants of a calibrated rock for other codes, with their uncertainty.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/clock.hpp"
+#include "cli/machine.hpp"
+#include "cli/progress.hpp"
+#include "cli/stresses.hpp"
+#include "cli/terminal.hpp"
+#include "design/sheet.hpp"
+#include "jobs/design_job.hpp"
+#include "report/words.hpp"
+
+namespace phy::cli {
+namespace {
+
+struct DesignArguments {
+  std::string calibration, out = "results/design", reading = "plane stress";
+  std::vector<std::string> stresses = {"0 MPa", "5 MPa", "10 MPa"};
+  std::size_t draws = 0;
+  double nu = nan, dip = 0.0;
+  bool with_untrusted = false, model_alone = false;
+};
+
+jobs::DesignRequest request_of(const DesignArguments& args) {
+  jobs::DesignRequest request;
+  request.calibration = args.calibration, request.out = args.out;
+  request.stresses = read_stresses("--stresses", args.stresses);
+  request.n_draws = args.draws, request.dip = args.dip;
+  request.reading.nu = args.nu, request.model_alone = args.model_alone;
+  if (args.reading == "plane strain") request.reading.state = theory::PlaneState::strain;
+  return request;
+}
+
+/// This program's own tests, kept in the folder, so that the same command goes on where it was stopped.
+calibrate::SimulatorOptions simulator_of(const DesignArguments& args, const Session& session,
+                                         ProgressLine& line) {
+  calibrate::SimulatorOptions options;
+  options.threads = n_threads(session), options.stop = stop_on_interrupt();
+  options.with_untrusted = args.with_untrusted;
+  options.store = (std::filesystem::path(args.out) / "runs.sqlite").string();
+  options.on_progress = [&line](const calibrate::TestProgress& p) {
+    line.show([&](double) {
+      return fmt::format(
+          "{}/{} tests{}", p.n_done, p.n_total,
+          p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
+    });
+  };
+  return options;
+}
+
+void print_tables(const design::Design& design, int width) {
+  for (const design::SheetTable& t : design::sheet_tables(design)) {
+    std::vector<Column> columns;
+    for (std::size_t c = 0; c < t.head.size(); ++c)
+      columns.push_back(column_of(t.head[c], "", t.rows, [&](const auto& row) { return row[c]; }));
+    columns.front().left = columns.back().left = true;
+    print_out("\n{}\n{}", t.title,
+              text_table(columns.front(), {Columns(columns.begin() + 1, columns.end())}, width));
+  }
+}
+
+int design_of(const DesignArguments& args, const Session& session) {
+  const jobs::DesignPlan plan = jobs::plan_design(request_of(args));
+  const int width = session.terminal_width;
+  print_wrapped(width, 8, "design  {}: {} draws, {} tests under {} confining stresses\n",
+                plan.calibration.rock, plan.draws.size(), plan.n_tests(), plan.request.stresses.size());
+  flush_out();
+  ProgressLine line;
+  const auto simulator = calibrate::make_simulator(simulator_of(args, session, line));
+  design::Design design;
+  try {
+    design = jobs::run_design(plan, *simulator);
+  } catch (const calibrate::Stopped&) {
+    line.finish();
+    print_wrapped(width, 2, "stopped: what was finished is in {}; the same command goes on with it\n",
+                  args.out);
+    return 1;
+  }
+  line.finish();
+  const std::vector<std::string> files = jobs::write_design(args.out, design);
+  print_tables(design, width);
+  print_out("\n");
+  for (const std::string& sentence : report::sentences(design.findings))
+    print_wrapped(width, 2, "- {}\n", sentence);
+  print_wrapped(width, 2, "\nin {}: {}\n", args.out, fmt::join(files, ", "));
+  // Scripts learn that something could not be had: constants of a part that the rock may have.
+  return design.part(design::Part::elasticity).ok() && design.part(design::Part::tension).ok() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_design_command(CLI::App& app, Session& session) {
+  auto args = std::make_shared<DesignArguments>();
+  CLI::App* verb =
+      app.add_subcommand("design", "constants of a calibrated rock for FLAC, PLAXIS, RS2, OpenGeoSys");
+  verb->add_option("calibration", args->calibration, "folder of a calibration, or its calibrated.toml")
+      ->required()
+      ->type_name("FOLDER");
+  verb->add_option("--stresses", args->stresses,
+                   "confining stresses that the constants are fitted to, three or more")
+      ->delimiter(',')
+      ->capture_default_str();
+  verb->add_option("--draws", args->draws, "draws of the calibration that are tested; 0: all")
+      ->capture_default_str();
+  verb->add_option("--nu", args->nu, "Poisson's ratio in the planes of isotropy; default: nu' E/E'")
+      ->check(within(-1.0, 1.0));
+  verb->add_option("--elastic-reading", args->reading, "how two dimensions are read")
+      ->check(CLI::IsMember({"plane stress", "plane strain"}))
+      ->capture_default_str();
+  verb->add_option("--dip", args->dip,
+                   "inclination of the planes [deg] in the files, counter-clockwise from x")
+      ->check(within(-90.0, 90.0))
+      ->capture_default_str();
+  verb->add_flag("--with-untrusted", args->with_untrusted,
+                 "tests that are not to be trusted count like others");
+  verb->add_flag("--model-alone", args->model_alone,
+                 "strengths of the model, without what it misses of its table");
+  verb->add_option("--out", args->out, "folder for the results")->type_name("FOLDER")->capture_default_str();
+  verb->callback([args, &session] { session.exit_code = design_of(*args, session); });
+}
+
+}  // namespace phy::cli

@@ -1,0 +1,183 @@
+#include "design/codes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <pugixml.hpp>
+#include <regex>
+
+namespace phy::design {
+namespace {
+
+using enum Constant;
+using testing::DoubleNear;
+using testing::Pair;
+using testing::UnorderedElementsAre;
+
+/// Values that six digits hold, so that what is read back is the same.
+Pooled pooled(std::initializer_list<std::pair<Constant, double>> values) {
+  Pooled p;
+  p.refusal = Refusal::none;
+  for (const auto& [constant, value] : values)
+    p.constants.push_back({{constant}, value, value, value, 0.1, 4});
+  const auto n = static_cast<Eigen::Index>(p.constants.size());
+  p.covariance = Eigen::MatrixXd::Identity(n, n);
+  return p;
+}
+const Pooled elasticity = pooled({{E, 31.25e9}, {E_n, 12.5e9}, {nu, 0.27}, {nu_n, 0.16}, {G_n, 6.3e9}});
+const Pooled joint = pooled({{c_j, 11.5e6}, {phi_j, 22.5}, {c, 24e6}, {phi, 45.0}});
+const Pooled tension = pooled({{sigma_tj, 3.25e6}, {sigma_t, 7.5e6}});
+Values all_values() { return {{&elasticity, &joint, &tension, nullptr, nullptr}, 30.0}; }
+
+const Code& code_of(const std::string& file) {
+  for (const Code& code : codes())
+    if (file == code.file) return code;
+  throw std::runtime_error(file);
+}
+std::string text_of(const std::string& file) { return file_of(code_of(file), all_values(), "shale").value(); }
+
+using Numbers = std::map<std::string, double>;
+/// Every line that matches: its name and its number.
+Numbers numbers_in(const std::string& text, const char* line) {
+  Numbers numbers;
+  const std::regex pattern(line);
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+    numbers[(*it)[1]] = std::stod((*it)[2]);
+  return numbers;
+}
+constexpr double sin_30 = 0.5, cos_30 = 0.866025;  // of the dip, to six digits
+
+TEST(Codes, FlacReadsUbiquitousJoint) {
+  EXPECT_THAT(
+      numbers_in(text_of("flac-ubiquitous-joint.dat"), R"(\nzone property (\S+) (\S+))"),
+      UnorderedElementsAre(Pair("young", 31.25e9), Pair("poisson", 0.27), Pair("cohesion", 24e6),
+                           Pair("friction", 45.0), Pair("dilation", 0.0), Pair("tension", 7.5e6),
+                           Pair("joint-cohesion", 11.5e6), Pair("joint-friction", 22.5),
+                           Pair("joint-dilation", 0.0), Pair("joint-tension", 3.25e6),
+                           Pair("normal-x", -sin_30), Pair("normal-y", 0.0), Pair("normal-z", cos_30)));
+}
+
+TEST(Codes, FlacReadsUbiquitousAnisotropic) {
+  EXPECT_THAT(numbers_in(text_of("flac-ubiquitous-anisotropic.dat"), R"(\nzone property (\S+) (\S+))"),
+              UnorderedElementsAre(
+                  Pair("young-plane", 31.25e9), Pair("young-normal", 12.5e9), Pair("poisson-plane", 0.27),
+                  Pair("poisson-normal", 0.16), Pair("shear-normal", 6.3e9), Pair("joint-cohesion", 11.5e6),
+                  Pair("joint-friction", 22.5), Pair("joint-dilation", 0.0), Pair("joint-tension", 3.25e6),
+                  Pair("normal-x", -sin_30), Pair("normal-y", 0.0), Pair("normal-z", cos_30)));
+}
+
+TEST(Codes, Rs2RunsTheScript) {
+  // v12 = nu' E/E' = 0.16 * 2.5.
+  EXPECT_THAT(
+      numbers_in(text_of("rs2-jointed-mohr-coulomb.py"), R"(\n(\w+\.set\w+)\((?:0, )?([-+.e\d]+)\)  #)"),
+      UnorderedElementsAre(
+          Pair("elastic.setYoungsModulusE1AndEz", 31250.0), Pair("elastic.setYoungsModulusE2", 12500.0),
+          Pair("elastic.setPoissonsRatioV12", 0.4), Pair("elastic.setPoissonsRatioVAndV1z", 0.27),
+          Pair("elastic.setShearModulus", 6300.0),
+          Pair("elastic.setAngleCounterclockwiseFromHorizontalToE1", 30.0),
+          Pair("rock.setPeakCohesion", 24.0), Pair("rock.setPeakFrictionAngle", 45.0),
+          Pair("rock.setPeakTensileStrength", 7.5), Pair("options.setInclination", 30.0),
+          Pair("planes.setPeakCohesion", 11.5), Pair("planes.setPeakFrictionAngle", 22.5),
+          Pair("planes.setTensileStrength", 3.25)));
+}
+
+TEST(Codes, PlaxisHasTheTable) {
+  std::vector<double> values;
+  const std::string text = text_of("plaxis-jointed-rock.csv");
+  const std::regex row(R"(\n,([-+.e\d]+),(kN/m\^2|1|deg),)");
+  for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it)
+    values.push_back(std::stod((*it)[1]));
+  EXPECT_THAT(values,
+              testing::ElementsAre(31.25e6, 0.27, 12.5e6, 0.16, 6.3e6, 11500.0, 22.5, 0.0, 3250.0, 30.0));
+}
+
+/// Parameters of a project, and the words by which its constitutive relation asks for them.
+struct Project {
+  std::map<std::string, std::string> parameters;
+  std::vector<std::string> asked;
+};
+Project project_of(const std::string& file, const char* asks) {
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_string(text_of(file).c_str()));
+  Project p;
+  for (const auto& node : document.select_nodes("/OpenGeoSysProject/parameters/parameter"))
+    p.parameters[node.node().child_value("name")] = node.node().child_value("values");
+  for (const auto& node : document.select_nodes(asks))
+    p.asked.emplace_back(node.attribute() ? node.attribute().value() : node.node().child_value());
+  return p;
+}
+double number(const Project& p, const char* name) { return std::stod(p.parameters.at(name)); }
+
+TEST(Codes, OpenGeoSysReadsTheElasticity) {
+  const Project p = project_of("ogs-elastic.xml", "//constitutive_relation/*[not(self::type)]");
+  EXPECT_EQ(p.asked.size(), 5u);
+  for (const std::string& name : p.asked) EXPECT_TRUE(p.parameters.contains(name)) << name;
+  EXPECT_EQ(number(p, "youngs_modulus_i"), 31.25e9);
+  EXPECT_EQ(number(p, "youngs_modulus_a"), 12.5e9);
+  EXPECT_EQ(number(p, "poissons_ratio_ii"), 0.27);
+  EXPECT_EQ(number(p, "poissons_ratio_ia"), 0.4);
+  EXPECT_EQ(number(p, "shear_modulus_ia"), 6.3e9);
+  EXPECT_EQ(p.parameters.at("e0"), "0.866025 0.5");
+  EXPECT_EQ(p.parameters.at("e1"), "-0.5 0.866025");
+}
+
+TEST(Codes, OpenGeoSysReadsTheUbiquitousJoint) {
+  const Project p = project_of("ogs-ubiquitous-joint.xml", "//material_property/@parameter");
+  EXPECT_EQ(p.asked.size(), 15u);
+  for (const std::string& name : p.asked) EXPECT_TRUE(p.parameters.contains(name)) << name;
+  EXPECT_EQ(number(p, "YoungModulus1"), 12.5e9);
+  EXPECT_EQ(number(p, "YoungModulus2"), 31.25e9);
+  EXPECT_EQ(number(p, "PoissonRatio12"), 0.16);
+  EXPECT_EQ(number(p, "PoissonRatio23"), 0.27);
+  EXPECT_EQ(number(p, "ShearModulus12"), 6.3e9);
+  EXPECT_EQ(number(p, "PlaneCohesion"), 11.5e6);
+  EXPECT_EQ(number(p, "PlaneFrictionAngle"), 22.5);
+  EXPECT_EQ(number(p, "Cohesion"), 24e6);
+  EXPECT_EQ(number(p, "FrictionAngle"), 45.0);
+  EXPECT_EQ(number(p, "TensionCutOffParameter"), 16.5e6);  // c cot 45 - sigma_t
+  EXPECT_EQ(p.parameters.at("e0"), "-0.5 0.866025");
+}
+
+TEST(Codes, TablesHaveEveryConstant) {
+  const std::string text = constants_csv(all_values());
+  const Numbers values = numbers_in(text, R"(\n[^,]+,(\w+),,,([^,]+),)");
+  EXPECT_THAT(values, UnorderedElementsAre(Pair("E", 31.25e9), Pair("E_n", 12.5e9), Pair("nu", 0.27),
+                                           Pair("nu_n", 0.16), Pair("G_n", 6.3e9), Pair("c_j", 11.5e6),
+                                           Pair("phi_j", 22.5), Pair("c", 24e6), Pair("phi", 45.0),
+                                           Pair("sigma_tj", 3.25e6), Pair("sigma_t", 7.5e6)));
+  // Lower triangles of five, four and two constants.
+  const std::string covariances = covariance_csv(all_values());
+  EXPECT_EQ(std::count(covariances.begin(), covariances.end(), '\n'), 1 + 15 + 10 + 3);
+}
+
+TEST(Codes, NoFileWithoutItsConstants) {
+  Values elastic;
+  elastic.parts[0] = &elasticity;
+  EXPECT_TRUE(file_of(code_of("ogs-elastic.xml"), elastic, "shale"));
+  EXPECT_FALSE(file_of(code_of("ogs-ubiquitous-joint.xml"), elastic, "shale"));
+}
+
+// A name of somebody else goes into comments of four languages.
+TEST(Codes, ANameCannotLeaveItsComment) {
+  const std::string name = "shale\nzone delete -->";
+  for (const Code& code : codes()) {
+    const std::string text = file_of(code, all_values(), name).value();
+    EXPECT_EQ(text.find("\nzone delete"), std::string::npos) << code.file;
+    if (code.syntax == Syntax::xml) {
+      pugi::xml_document document;
+      EXPECT_TRUE(document.load_string(text.c_str())) << code.file;
+    }
+  }
+}
+
+TEST(Codes, EveryNameHasADocument) {
+  for (const Code& code : codes()) {
+    EXPECT_TRUE(std::string(code.source).starts_with("https://")) << code.file;
+    EXPECT_FALSE(code.rows.empty());
+  }
+}
+
+}  // namespace
+}  // namespace phy::design
