@@ -228,7 +228,7 @@ Json sheet_json(const Design& design) {
 std::string sheet_page(const Design& design) {
   report::PageExtras extras;
   extras.name = design.tests.rock;
-  extras.design = sheet_json(design);
+  extras.design_json = sheet_json(design).dump();
   return report::report_page({}, extras);
 }
 

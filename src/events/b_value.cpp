@@ -12,8 +12,8 @@ namespace phy::events {
 namespace {
 
 constexpr double ln_10 = 2.302585092994045684;
-constexpr double bin = 0.1;         // of magnitudes
-constexpr double beyond_bin = 0.2;  // the fullest bin is not yet complete
+constexpr double bins_per_unit = 10.0;  // of magnitudes
+constexpr std::int64_t beyond = 2;      // bins: the fullest one is not yet complete
 
 }  // namespace
 
@@ -37,12 +37,12 @@ BValue b_value(std::span<const double> magnitudes, double completeness) {
 
 double completeness_of(std::span<const double> magnitudes) {
   std::map<std::int64_t, std::size_t> bins;
-  for (const double m : magnitudes) ++bins[static_cast<std::int64_t>(std::floor(m / bin))];
+  for (const double m : magnitudes) ++bins[static_cast<std::int64_t>(std::floor(m * bins_per_unit))];
   // The first of equally full ones: fewer events are left out.
   const auto fullest = std::max_element(bins.begin(), bins.end(),
                                         [](const auto& p, const auto& q) { return p.second < q.second; });
   if (fullest == bins.end()) return nan;
-  return bin * static_cast<double>(fullest->first) + beyond_bin;
+  return static_cast<double>(fullest->first + beyond) / bins_per_unit;
 }
 
 std::vector<double> magnitudes_of(std::span<const AcousticEvent> events) {

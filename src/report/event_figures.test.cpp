@@ -39,8 +39,8 @@ TEST(EventFigures, CountEventsFromTheLargestOn) {
   ASSERT_EQ(p.series.size(), 2U) << "with the line of b";
   // The line begins at the completeness with all from there on, and loses a decade per 1/b.
   const std::vector<Point>& line = p.series[1].points;
-  EXPECT_NEAR(std::log10(line[0].y) / (line[1].x - line[0].x), heard(100).tests[0].result.numbers[6].value,
-              1e-9);
+  EXPECT_NEAR(std::log10(line[0].y / line[1].y) / (line[1].x - line[0].x),
+              heard(100).tests[0].result.numbers[6].value, 1e-9);
   EXPECT_EQ(events_figure(heard(5), {}).panels[0].series.size(), 1U) << "too few for b";
 }
 

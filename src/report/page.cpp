@@ -141,8 +141,11 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   j["missing"] = Json::array();
   for (const MissingTest& m : run.missing) j["missing"].push_back({{"name", m.name}, {"reason", m.reason}});
   j["figures"] = figures_json(run, extras);
-  j["calibration"] = extras.calibration_json.empty() ? Json(nullptr) : Json::parse(extras.calibration_json);
-  j["design"] = extras.design;
+  const auto parsed = [](const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json::parse(text);
+  };
+  j["calibration"] = parsed(extras.calibration_json);
+  j["design"] = parsed(extras.design_json);
   j["effects"] = extras.effects;
   j["methods"] = j["calibration"].is_object() ? j["calibration"].value("methods", Json::array())
                                               : Json(methods_text(run));

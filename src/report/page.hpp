@@ -23,8 +23,8 @@ struct PageExtras {
   std::optional<Calibration> calibration;         ///< what figures need of the same
   std::optional<Variation> variation;             ///< of a study
   std::vector<std::vector<std::string>> effects;  ///< of a study: effects.csv with its header
-  nlohmann::ordered_json design;  ///< the sheet of a design: tables, findings, figure; null: none
-  std::string recipe;             ///< of a study or calibration; default: that of the run
+  std::string design_json;  ///< the sheet of a design: tables, findings, figure; empty: none
+  std::string recipe;       ///< of a study or calibration; default: that of the run
   std::vector<std::pair<std::string, std::string>>
       head;  ///< of the first page, name and text: "author", "NN"
 };

@@ -9,7 +9,7 @@ const std::vector<Reader>& readers() {
       {"readings", read_readings},  // CSV tables of a laboratory, and so every table of others
       {"workbook", read_workbook},  // tables of spreadsheet programs (.xlsx)
       {"discs", read_discs},        // imported packings
-      {"series", read_series},      // history.csv, cracks.csv
+      {"series", read_series},      // history.csv, cracks.csv, events.csv
       {"scene", read_scene},        // scene.bin
       {"packing", read_packing},    // the cache of packings
       {"rock", read_rock},          // rock file, its table, its recipe

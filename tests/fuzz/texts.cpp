@@ -61,7 +61,7 @@ bool read_discs(std::string_view bytes) {
   });
 }
 
-/// A history or a list of cracks: their headers tell which.
+/// A history, a list of cracks or of events: their headers tell which.
 bool read_series(std::string_view bytes) {
   const bool history = accepts([&] {
     const std::string text = io::history_csv(io::parse_history(bytes, "history.csv"));
@@ -72,7 +72,12 @@ bool read_series(std::string_view bytes) {
     const std::string text = io::cracks_csv(io::parse_cracks(bytes, "cracks.csv"), kind);
     same(text, io::cracks_csv(io::parse_cracks(text, "written.csv"), kind));
   });
-  return history || cracks;
+  const bool events = accepts([&] {
+    const TestKind kind("uniaxial");
+    const std::string text = io::events_csv(io::parse_events(bytes, "events.csv"), kind);
+    same(text, io::events_csv(io::parse_events(text, "written.csv"), kind));
+  });
+  return history || cracks || events;
 }
 
 /// The stream behind the first line is compressed here, so that changed bytes are read and not refused by its
