@@ -64,7 +64,7 @@ class ElasticStage : public testing::Test {
     r.parameters.assign(f.parameters.begin(), f.parameters.end());
     if (f.nu_gave_way) r.E_before_nu_gave_way = f.E_before;
     Verdict v = verdict::judge(r);
-    std::erase_if(v.findings, [](const Finding& f) { return f.kind == FindingKind::value_open; });
+    std::erase_if(v.findings, [](const Finding& one) { return one.kind == FindingKind::value_open; });
     return v;
   }
 };

@@ -1,6 +1,6 @@
 #include "survey/identifiability.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
