@@ -36,13 +36,16 @@ BValue b_value(std::span<const double> magnitudes, double completeness) {
 }
 
 double completeness_of(std::span<const double> magnitudes) {
+  if (magnitudes.empty()) return nan;
+  // Counted from the largest: another thickness adds to all magnitudes, and must leave b as it is.
+  const double largest = *std::max_element(magnitudes.begin(), magnitudes.end());
   std::map<std::int64_t, std::size_t> bins;
-  for (const double m : magnitudes) ++bins[static_cast<std::int64_t>(std::floor(m * bins_per_unit))];
+  for (const double m : magnitudes)
+    ++bins[-1 - static_cast<std::int64_t>(std::floor((largest - m) * bins_per_unit))];
   // The first of equally full ones: fewer events are left out.
   const auto fullest = std::max_element(bins.begin(), bins.end(),
                                         [](const auto& p, const auto& q) { return p.second < q.second; });
-  if (fullest == bins.end()) return nan;
-  return static_cast<double>(fullest->first + beyond) / bins_per_unit;
+  return largest + static_cast<double>(fullest->first + beyond) / bins_per_unit;
 }
 
 std::vector<double> magnitudes_of(std::span<const AcousticEvent> events) {

@@ -23,7 +23,8 @@ struct BValue {
 };
 BValue b_value(std::span<const double> magnitudes, double completeness);
 
-/// The fullest bin of 0.1 plus 0.2 (Wiemer & Wyss 2000; Woessner & Wiemer 2005). NaN without events.
+/// The fullest bin of 0.1, counted from the largest magnitude, plus 0.2 (Wiemer & Wyss 2000; Woessner &
+/// Wiemer 2005). NaN without events.
 double completeness_of(std::span<const double> magnitudes);
 
 /// Magnitudes of those that have one: an event may have no moment.

@@ -72,6 +72,21 @@ TEST(BValue, CompletenessIsFoundWhereSmallEventsAreMissed) {
   EXPECT_TRUE(std::isnan(completeness_of({})));
 }
 
+// Another thickness of the specimen adds to all magnitudes (docs/events.md).
+TEST(BValue, IsThatOfAnyThickness) {
+  for (const std::uint64_t seed : {7U, 8U, 9U}) {
+    std::vector<double> magnitudes = catalogue(seed, 400, 2.5);
+    const BValue before = b_value(magnitudes, completeness_of(magnitudes));
+    for (const double more : {2.0 / 3.0, 0.037, -1.21}) {
+      std::vector<double> moved = magnitudes;
+      for (double& m : moved) m += more;
+      const BValue after = b_value(moved, completeness_of(moved));
+      EXPECT_EQ(after.n, before.n) << more;
+      EXPECT_NEAR(after.b, before.b, 1e-9) << more;
+    }
+  }
+}
+
 TEST(EventNumbers, CountTypesAndSayWhatIsMissing) {
   std::vector<AcousticEvent> events(3);
   events[0].type = SourceType::opening, events[0].magnitude = -7.0;

@@ -15,7 +15,7 @@ double Counts::share(double part) const {
     const double way = (limit - strain[behind - 1]) / (strain[behind] - strain[behind - 1]);
     return n[behind - 1] + way * (n[behind] - n[behind - 1]);
   };
-  const double all = up_to(peak);
+  const double all = std::isfinite(peak) ? up_to(peak) : nan;
   return all > 0.0 ? up_to(part * peak) / all : nan;
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "analysis/analyse.hpp"
 #include "events/b_value.hpp"
 #include "events/counts.hpp"
 #include "report/curves.hpp"
@@ -27,14 +28,20 @@ Series frequency_of(std::vector<double> magnitudes) {
   return s;
 }
 
+/// As stored, of an untrusted test too, whose magnitudes are drawn as well.
+double stored(const SpecimenRecord& t, const char* name) {
+  const Number* n = analysis::find(t.result.numbers, name);
+  return n == nullptr ? nan : n->value;
+}
+
 Panel frequency_panel(const SpecimenRecord& t) {
   Panel panel{heading(t.result), "", Axis{"magnitude"}, Axis{"events of at least that magnitude"}};
   panel.y.logarithmic = true;
   const std::vector<double> magnitudes = events::magnitudes_of(t.result.events);
   panel.series.push_back(frequency_of(magnitudes));
   // Read and not computed: the figure shows what result.json says.
-  const double b = value_of(t, "b_value"), from = value_of(t, "magnitude_of_completeness");
-  panel.caption = text_of_b_value(b, value_of(t, "b_value_half_width"), value_of(t, "event_thickness"));
+  const double b = stored(t, "b_value"), from = stored(t, "magnitude_of_completeness");
+  panel.caption = text_of_b_value(b, stored(t, "b_value_half_width"), stored(t, "event_thickness"));
   const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
   // They are below zero, where an axis would otherwise end.
   panel.x.low = std::floor(*least), panel.x.high = std::max(std::ceil(*most), panel.x.low + 1.0);
@@ -53,7 +60,7 @@ Panel frequency_panel(const SpecimenRecord& t) {
 Series circles_of(const SpecimenRecord& t, SourceType type) {
   Series s{to_string(type), Mark::line, Role::listed, static_cast<std::size_t>(type)};
   const SpecimenSize& size = t.recipe.specimen;
-  const double largest = value_of(t, "largest_magnitude");
+  const double largest = stored(t, "largest_magnitude");
   constexpr int chords = 16;
   for (const AcousticEvent& e : t.result.events) {
     if (e.type != type || !std::isfinite(e.magnitude)) continue;

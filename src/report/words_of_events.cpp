@@ -13,7 +13,8 @@ std::string text_of_b_value(double b, double half_width, double thickness) {
 }
 
 std::string text_of_counts(double difference, double part) {
-  if (!std::isfinite(difference)) return "The counts cannot be compared: one curve has none before its peak.";
+  if (!std::isfinite(difference))
+    return "The counts cannot be compared: one curve has no peak, or no event before it.";
   return fmt::format(
       "The counts differ most at {:.0f} % of the strain at the peak: the model is {:.0f} % of "
       "all events {}.",
