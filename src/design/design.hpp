@@ -29,7 +29,8 @@ struct DesignTests {
   bool weak_planes = true;       ///< the model has joints on planes
   std::vector<double> stresses;  ///< [Pa] on the sides, the range of the constants
   std::vector<DrawTests> draws;
-  std::vector<Target> laboratory = {};  ///< the table of the calibration
+  std::vector<DrawTests> simulated = {};  ///< of rock: as the model gave them, in the same order
+  std::vector<Target> laboratory = {};    ///< the table of the calibration
   ElasticReadingOf2D reading = {};
   /// Strengths are the rock's: the model's times what it misses of the table (calibrate/discrepancy.hpp).
   bool of_rock = false;

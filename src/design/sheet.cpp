@@ -153,9 +153,10 @@ Panel strength_panel(const Design& d) {
     if (Series lab = laboratory_series(d, Property::confined, stress); !lab.points.empty())
       panel.series.push_back(std::move(lab));
   }
-  panel.caption = law != nullptr ? fmt::format("Points: mean and range of the draws. Lines: the {} law.",
-                                               word_of(law->part))
-                                 : "Points: mean and range of the draws.";
+  panel.caption = d.tests.of_rock
+                      ? "Points: mean and range of the draws, corrected by what they miss of the table."
+                      : "Points: mean and range of the draws.";
+  if (law != nullptr) panel.caption += fmt::format(" Lines: the {} law.", word_of(law->part));
   return panel;
 }
 
