@@ -35,6 +35,9 @@ const char* word_of(Refusal refusal) {
     case Refusal::no_matrix: return "no_matrix";
     case Refusal::falling: return "falling";
     case Refusal::not_admissible: return "not_admissible";
+    case Refusal::no_common: return "no_common";
+    case Refusal::planes_absent: return "planes_absent";
+    case Refusal::not_sought: return "not_sought";
     case Refusal::no_agreement: return "no_agreement";
   }
   return "";

@@ -106,6 +106,8 @@ std::vector<double> angles_of(const Design& d) {
 /// The laboratory's values of a property; of strengths those under this stress.
 Series laboratory_series(const Design& d, Property property, double stress) {
   Series s{.name = "laboratory", .mark = Mark::points, .role = Role::laboratory};
+  if (property == Property::E && d.tests.E_is != ModulusReading::small_strain)
+    s.name += std::string(", ") + to_string(d.tests.E_is);
   // UCS is the strength under no stress.
   for (const Target& t : d.tests.laboratory) {
     const bool strength = property == Property::confined;

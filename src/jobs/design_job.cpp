@@ -193,6 +193,14 @@ std::vector<Target> table_of(const Calibration& calibration) {
   return table;
 }
 
+/// Tests that the table leaves open, as the verdict names them.
+std::vector<std::string> undetermined_of(const Calibration& calibration) {
+  std::vector<std::string> names;
+  for (const Finding& f : calibration.verdict.not_good_for)
+    if (f.kind == FindingKind::test_undetermined) names.push_back(f.names.front());
+  return names;
+}
+
 /// Every file that a design may leave.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> names = {"design.csv", "covariance.csv", "tests.csv", "design.json",
@@ -220,6 +228,7 @@ void remove_others(const std::string& folder, const Files& files) {
 
 std::size_t DesignPlan::n_tests() const {
   std::size_t n = 0;
+  if (!sought) return n;
   for (const Recipe& draw : draws)
     n += std::size(ends) + compression_recipes(draw, request.stresses, cells).size();
   return n;
@@ -240,6 +249,7 @@ DesignPlan plan_design(const DesignRequest& request) {
     plan.draws.push_back(draws[k * (draws.size() - 1) / (n - 1)]);
   }
   plan.calibration = read_calibration(fs::path(path).parent_path().string());
+  plan.sought = first_of(plan.calibration.verdict.not_good_for, FindingKind::strengths_of_recipe) == nullptr;
   for (const StrengthResidual& r : plan.calibration.residuals)
     if (!request.model_alone && is_compressive(r.target.property)) plan.cells.push_back(r.target);
   if (holds_calibration(request.out))
@@ -258,12 +268,15 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
                             .stresses = plan.request.stresses,
                             .draws = elasticity_of(elastic, plan.draws.size()),
                             .laboratory = table_of(plan.calibration),
+                            .E_is = plan.calibration.E_is,
                             .reading = plan.request.reading,
                             .of_rock = !plan.cells.empty(),
+                            .strengths_sought = plan.sought,
+                            .undetermined = undetermined_of(plan.calibration),
                             .dip = plan.request.dip};
   std::vector<Recipe> recipes;
   std::vector<Asked> asked;
-  for (std::size_t k = 0; k < plan.draws.size(); ++k) {
+  for (std::size_t k = 0; plan.sought && k < plan.draws.size(); ++k) {
     const auto& seen = tests.draws[k].elasticity;
     // Only the speed of the grips hangs on it, where a specimen has no solution.
     const auto modulus = [&](double E) { return E > 0.0 ? E : plan.draws[k].matrix.modulus(); };
@@ -273,6 +286,9 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
       recipes.push_back(std::move(r)), asked.push_back({k, false});
   }
   add_strengths(tests.draws, asked, recipes, simulator.test(recipes));
+  tests.n_without_strength = recipes.size();
+  for (const DrawTests& draw : tests.draws)
+    tests.n_without_strength -= draw.compression.size() + draw.tension.size();
   tests.simulated = tests.draws;
   correct(tests.draws, plan);
   keep_asked(tests.draws, plan.request.stresses), keep_asked(tests.simulated, plan.request.stresses);
