@@ -51,7 +51,10 @@ const std::vector<CodeRow> flac_planes = {
     {"joint-tension", of<sigma_tj>, 1.0, "Pa", "tension limit of the planes"},
     {"normal-x", normal_across, 1.0, "1", "normal of the planes; the section is x-z, z upwards"},
     {"normal-y", none, 1.0, "1", "the planes strike along y"},
-    {"normal-z", normal_up, 1.0, "1", ""}};
+    {"normal-z", normal_up, 1.0, "1", "the planes dip in the section"}};
+
+constexpr const char* flac_axes =
+    "The section is x-z, z upwards; the planes strike along y. Dilation is not fitted.";
 
 std::vector<CodeRow> with_planes(std::vector<CodeRow> rows) {
   rows.insert(rows.end(), flac_planes.begin(), flac_planes.end());
@@ -73,7 +76,7 @@ Code flac_ubiquitous() {
           {"SI units. Stresses of FLAC are negative in compression; strengths are positive.",
            "The model is isotropic until it fails. E and nu are those along the planes; "
            "flac-ubiquitous-anisotropic.dat has all five constants.",
-           "FLAC takes the smaller of tension and c/tan(phi), of planes and of rock."},
+           flac_axes, "FLAC takes the smaller of tension and c/tan(phi), of planes and of rock."},
           {"zone cmodel assign ubiquitous-joint"}};
 }
 
@@ -88,7 +91,7 @@ Code flac_anisotropic() {
                        {"poisson-plane", of<nu>, 1.0, "1", "in the planes, under load in the planes"},
                        {"poisson-normal", of<nu_n>, 1.0, "1", "in the planes, under load normal to them"},
                        {"shear-normal", of<G_n>, 1.0, "Pa", "of planes normal to the planes of isotropy"}}),
-          {"SI units. Stresses of FLAC are negative in compression; strengths are positive.",
+          {"SI units. Stresses of FLAC are negative in compression; strengths are positive.", flac_axes,
            "The rock between the planes stays elastic in this model."},
           {"zone cmodel assign ubiquitous-anisotropic"}};
 }
@@ -202,8 +205,9 @@ std::string digits(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0
 std::string text_of(const CodeRow& row, V v) { return digits(row.factor * row.value(v)); }
 
 std::string head(const Code& code, const std::string& rock, const char* mark) {
-  std::string text = fmt::format("{0} {1}: {2} for {3}, by {4}\n{0} Names: {5}\n", mark, comment_text(rock),
-                                 code.model, code.name, phy::program, code.source);
+  std::string text =
+      fmt::format("{} {}: {} for {}, by {}\n", mark, comment_text(rock), code.model, code.name, phy::program);
+  if (*code.rows.front().name != '\0') text += fmt::format("{} Names: {}\n", mark, code.source);
   for (const char* note : code.notes) text += fmt::format("{} {}\n", mark, note);
   return text;
 }
@@ -215,16 +219,18 @@ std::string script(const Code& code, V v, const std::string& rock) {
   std::string text = head(code, rock, flac ? ";" : "#");
   for (const char* line : code.before) text += std::string(line) + "\n";
   for (const CodeRow& row : code.rows)
-    text += flac ? fmt::format("zone property {} {}  ; {}\n", row.name, text_of(row, v), row.unit)
+    text += flac ? fmt::format("zone property {} {}  ; {}, {}\n", row.name, text_of(row, v), row.unit,
+                               row.meaning)
                  : fmt::format("{}{})  # {}, {}\n", row.name, text_of(row, v), row.unit, row.meaning);
   for (const char* line : code.after) text += std::string(line) + "\n";
   return text;
 }
 
 std::string table(const Code& code, V v, const std::string& rock) {
-  std::string text = head(code, rock, "#") + "name,value,unit,meaning\n";
+  std::string text = head(code, rock, "#") + "value,unit,meaning\n";
+  // No document names the rows: their meaning has to do.
   for (const CodeRow& row : code.rows)
-    text += fmt::format("{},{},{},{}\n", row.name, text_of(row, v), row.unit, csv_cell(row.meaning));
+    text += fmt::format("{},{},{}\n", text_of(row, v), row.unit, csv_cell(row.meaning));
   return text;
 }
 
@@ -266,7 +272,9 @@ std::string xml(const Code& code, V v, const std::string& rock) {
          parameters + "  </parameters>\n</OpenGeoSysProject>\n";
 }
 
-std::string angle_cell(const Key& key) { return std::isfinite(key.theta) ? digits(key.theta) : ""; }
+/// Empty where nobody knows.
+std::string known_cell(double value) { return std::isfinite(value) ? digits(value) : ""; }
+std::string angle_cell(const Key& key) { return known_cell(key.theta); }
 
 }  // namespace
 
@@ -306,10 +314,10 @@ std::string constants_csv(const Values& values) {
     for (const ConstantEstimate& e : part->constants) {
       const ConstantInfo& c = info(e.key.constant);
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", word_of(static_cast<Part>(p)), c.name,
-                          angle_cell(e.key), std::isfinite(e.key.theta) ? digits(90.0 - e.key.theta) : "",
-                          digits(e.value), c.unit, digits(e.se), digits(e.low), digits(e.high), e.n_draws,
-                          digits(part->error), std::isfinite(part->left_out) ? digits(part->left_out) : "",
-                          csv_cell(c.meaning));
+                          angle_cell(e.key), known_cell(90.0 - e.key.theta), digits(e.value), c.unit,
+                          digits(e.se), digits(e.low), digits(e.high), e.n_draws,
+                          static_cast<Part>(p) == Part::tension ? "" : known_cell(part->error),
+                          known_cell(part->left_out), csv_cell(c.meaning));
     }
   }
   return text;
@@ -324,11 +332,14 @@ std::string covariance_csv(const Values& values) {
       // The matrix is symmetric: its lower triangle.
       for (std::size_t j = 0; j <= i; ++j) {
         const ConstantEstimate &a = part->constants[i], &b = part->constants[j];
+        // 1 by definition, as k_beta of planes across the load, it varies with nothing.
+        if (!(a.se > 0.0) || !(b.se > 0.0)) continue;
         const double covariance =
             part->covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-        text += fmt::format("{},{},{},{},{},{},{}\n", word_of(static_cast<Part>(p)),
-                            info(a.key.constant).name, angle_cell(a.key), info(b.key.constant).name,
-                            angle_cell(b.key), digits(covariance), digits(covariance / (a.se * b.se)));
+        text +=
+            fmt::format("{},{},{},{},{},{},{}\n", word_of(static_cast<Part>(p)), info(a.key.constant).name,
+                        angle_cell(a.key), info(b.key.constant).name, angle_cell(b.key),
+                        known_cell(covariance), known_cell(covariance / (a.se * b.se)));
       }
   }
   return text;

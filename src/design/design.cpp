@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/stats.hpp"
@@ -64,12 +65,17 @@ void fit_parts(Design& d) {
     tension.push_back(fit_tension(draw.tension));
   }
   part(Part::elasticity) = pool(elasticity), part(Part::tension) = pool(tension);
+  if (!tests.strengths_sought) {
+    for (const Part p : {Part::ubiquitous_joint, Part::tension, Part::hoek_brown, Part::fabric})
+      part(p) = {.refusal = Refusal::not_sought};
+    return;
+  }
   for (const StrengthLaw& law : strength_laws()) {
     // The fabric stands in for a plane, in the order of the list.
     if (law.part == Part::fabric && part(Part::ubiquitous_joint).ok()) continue;
     // Rock without joints on planes may look as if it had one: there is nothing to slip on.
     const bool nothing = law.part == Part::ubiquitous_joint && !tests.weak_planes;
-    part(law.part) = nothing ? Pooled{.refusal = Refusal::no_plane} : strengths_of(tests, law);
+    part(law.part) = nothing ? Pooled{.refusal = Refusal::planes_absent} : strengths_of(tests, law);
   }
 }
 
@@ -90,6 +96,8 @@ Misses strengths_missed(const Design& d, const StrengthLaw& law) {
 /// Its moduli under the least stress, as the calibration compares them.
 Misses moduli_missed(const Design& d) {
   Misses misses;
+  // Another E is lower or higher by its definition.
+  if (d.tests.E_is != ModulusReading::small_strain) return misses;
   // The laboratory's E is what the model's two dimensions were calibrated to.
   const auto S = plane_compliance(body_of(d.part(Part::elasticity).mean()), d.tests.reading.state);
   for (const Target& t : least_confined(d.tests.laboratory))
@@ -115,12 +123,26 @@ void find_laboratory(Design& d) {
     const Misses misses = strengths_missed(d, law);
     add_laboratory(d, law.part, misses), n += misses.n;
   }
-  if (n == 0) d.findings.push_back({.kind = Kind::design_no_laboratory});
+  if (n == 0 && d.tests.strengths_sought) d.findings.push_back({.kind = Kind::design_no_laboratory});
 }
 
 /// A fabric that nobody needs.
 bool is_stood_in(const Design& d, Part part) {
   return part == Part::fabric && d.part(Part::ubiquitous_joint).ok();
+}
+
+/// Inclinations that were tested and have no curve of Hoek and Brown.
+void find_angles_without(Design& d) {
+  const Pooled& part = d.part(Part::hoek_brown);
+  if (!part.ok()) return;
+  std::set<double> angles;
+  for (const DrawTests& draw : d.tests.draws)
+    for (const StrengthPoint& p : draw.compression) angles.insert(p.theta);
+  for (const double theta : angles)
+    if (part.find({Constant::sigma_ci, theta}) == nullptr)
+      d.findings.push_back({.kind = Kind::design_refused,
+                            .numbers = {{"theta", theta}},
+                            .names = {word_of(Part::hoek_brown), word_of(Refusal::no_common)}});
 }
 
 void find_refusals(Design& d) {
@@ -133,6 +155,40 @@ void find_refusals(Design& d) {
                                       {"without", static_cast<double>(part.n_without)}},
                           .names = {word_of(static_cast<Part>(p)), word_of(part.refusal)}});
   }
+  find_angles_without(d);
+}
+
+/// What every strength is.
+void find_strengths(Design& d) {
+  const DesignTests& tests = d.tests;
+  if (!tests.strengths_sought) return;
+  std::size_t n = 0;
+  for (const DrawTests& draw : tests.draws) n += draw.compression.size() + draw.tension.size();
+  d.findings.push_back({.kind = Kind::design_range,
+                        .numbers = {{"least", tests.stresses.front()},
+                                    {"most", tests.stresses.back()},
+                                    {"draws", static_cast<double>(tests.draws.size())},
+                                    {"tests", static_cast<double>(n)},
+                                    {"without", static_cast<double>(tests.n_without_strength)}}});
+  d.findings.push_back(
+      {.kind = tests.of_rock ? Kind::design_of_rock : Kind::design_of_model, .names = tests.undetermined});
+}
+
+/// Files of codes that lack a constant.
+std::vector<std::string> files_without(const Design& d) {
+  std::vector<std::string> names;
+  const Values values = d.values();
+  for (const Code& code : codes())
+    if (!file_of(code, values, d.tests.rock)) names.emplace_back(code.file);
+  return names;
+}
+
+/// What the table calls E, where constants at small strain do not compare with it.
+std::vector<std::string> E_of_table(const DesignTests& tests) {
+  const bool any = std::any_of(tests.laboratory.begin(), tests.laboratory.end(),
+                               [](const Target& t) { return t.property == Property::E; });
+  if (!any || tests.E_is == ModulusReading::small_strain) return {};
+  return {to_string(tests.E_is)};
 }
 
 void find_elasticity(Design& d) {
@@ -143,7 +199,8 @@ void find_elasticity(Design& d) {
                         .numbers = {{"nu", part.value({Constant::nu})}}});
   d.findings.push_back({.kind = d.tests.reading.state == theory::PlaneState::stress
                                     ? Kind::design_plane_stress
-                                    : Kind::design_plane_strain});
+                                    : Kind::design_plane_strain,
+                        .names = E_of_table(d.tests)});
 }
 
 }  // namespace
@@ -158,18 +215,11 @@ Values Design::values() const {
 Design design_of(DesignTests tests) {
   Design d{std::move(tests), {}, {}};
   fit_parts(d);
-  std::size_t n = 0;
-  for (const DrawTests& draw : d.tests.draws) n += draw.compression.size() + draw.tension.size();
-  d.findings.push_back({.kind = Kind::design_range,
-                        .numbers = {{"least", d.tests.stresses.front()},
-                                    {"most", d.tests.stresses.back()},
-                                    {"draws", static_cast<double>(d.tests.draws.size())},
-                                    {"tests", static_cast<double>(n)}}});
-  d.findings.push_back({.kind = d.tests.of_rock ? Kind::design_of_rock : Kind::design_of_model});
+  find_strengths(d);
   find_elasticity(d), find_refusals(d), find_laboratory(d);
   d.findings.push_back({.kind = Kind::design_left_out});
-  d.findings.push_back({.kind = Kind::design_strike});
-  d.findings.push_back({.kind = Kind::design_not_fitted});
+  if (d.tests.strengths_sought) d.findings.push_back({.kind = Kind::design_strike});
+  d.findings.push_back({.kind = Kind::design_not_fitted, .names = files_without(d)});
   return d;
 }
 

@@ -11,6 +11,7 @@
 #include "design/elasticity.hpp"
 #include "design/strength.hpp"
 #include "records/finding.hpp"
+#include "records/rock.hpp"
 
 namespace phy::design {
 
@@ -29,11 +30,16 @@ struct DesignTests {
   bool weak_planes = true;       ///< the model has joints on planes
   std::vector<double> stresses;  ///< [Pa] on the sides, the range of the constants
   std::vector<DrawTests> draws;
-  std::vector<Target> laboratory = {};  ///< the table of the calibration
+  std::vector<DrawTests> simulated = {};               ///< of rock: as the model gave them, in the same order
+  std::vector<Target> laboratory = {};                 ///< the table of the calibration
+  ModulusReading E_is = ModulusReading::small_strain;  ///< what that table calls E
   ElasticReadingOf2D reading = {};
   /// Strengths are the rock's: the model's times what it misses of the table (calibrate/discrepancy.hpp).
   bool of_rock = false;
-  double dip = 0.0;  ///< [deg] of the planes where the constants will be used
+  bool strengths_sought = true;                ///< the calibration fitted strengths, so they were tested
+  std::vector<std::string> undetermined = {};  ///< tests that the calibration's verdict leaves open
+  std::size_t n_without_strength = 0;          ///< tests
+  double dip = 0.0;                            ///< [deg] of the planes where the constants will be used
 };
 
 struct Design {

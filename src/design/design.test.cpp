@@ -101,7 +101,7 @@ TEST(Design, RockWithoutPlanesHasNoUbiquitousJoint) {
   EXPECT_TRUE(d.part(Part::fabric).ok());
   const Finding* refused = first_of(d.findings, FindingKind::design_refused);
   ASSERT_NE(refused, nullptr);
-  EXPECT_EQ(refused->names.back(), word_of(Refusal::no_plane));
+  EXPECT_EQ(refused->names.back(), word_of(Refusal::planes_absent));
 }
 
 TEST(Design, HoldsTheLaboratoryBeside) {
@@ -116,6 +116,29 @@ TEST(Design, HoldsTheLaboratoryBeside) {
   ASSERT_NE(beside, nullptr);
   EXPECT_EQ(beside->number("values"), 1.0);
   EXPECT_NEAR(beside->number("mean"), -std::log(1.1), 1e-6);
+}
+
+TEST(Design, AnotherEIsNotCompared) {
+  DesignTests tests = tests_of({}, 1, 3, 0.0, 0.0);
+  tests.laboratory = {{.property = Property::E, .theta = 0.0, .mean = 20e9}};
+  EXPECT_NE(first_of(design_of(tests).findings, FindingKind::design_laboratory), nullptr);
+  tests.E_is = ModulusReading::secant_at_peak;
+  const Design d = design_of(tests);
+  EXPECT_EQ(first_of(d.findings, FindingKind::design_laboratory), nullptr);
+  EXPECT_EQ(first_of(d.findings, FindingKind::design_plane_stress)->names.size(), 1u);
+}
+
+TEST(Design, StrengthsOfARecipeAreRefused) {
+  DesignTests tests = tests_of({}, 1, 3, 0.05, 0.02);
+  tests.strengths_sought = false;
+  for (DrawTests& draw : tests.draws) draw.compression.clear(), draw.tension.clear();
+  const Design d = design_of(tests);
+  EXPECT_TRUE(d.part(Part::elasticity).ok());
+  const Finding* refused = first_of(d.findings, FindingKind::design_refused);
+  ASSERT_NE(refused, nullptr);
+  EXPECT_EQ(refused->names.back(), word_of(Refusal::not_sought));
+  EXPECT_FALSE(first_of(d.findings, FindingKind::design_not_fitted)->names.empty());
+  for (const Finding& f : d.findings) EXPECT_FALSE(report::sentence(f).empty());
 }
 
 TEST(Design, SheetHasEveryPartAndEverySentence) {

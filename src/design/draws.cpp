@@ -126,7 +126,8 @@ Pooled pool(const std::vector<Fit>& draws) {
   all.error = rms(errors);
   const std::vector<Key> keys = keys_of(draws);
   if (all.n_draws < 2 || keys.empty()) {
-    all.refusal = usual_refusal(draws);
+    // Draws may have fits, each at other inclinations.
+    all.refusal = all.n_draws < 2 ? usual_refusal(draws) : Refusal::no_common;
     return all;
   }
   all.refusal = Refusal::none;

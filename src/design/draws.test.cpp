@@ -59,5 +59,11 @@ TEST(Draws, OneDrawIsNone) {
             Refusal::no_plane);
 }
 
+TEST(Draws, WithoutACommonConstantSaySo) {
+  Fit one = fit_of(10e6, 0.01), other = fit_of(10e6, 0.01);
+  one.keys = {{Constant::m, 0.0}}, other.keys = {{Constant::m, 90.0}};
+  EXPECT_EQ(pool({one, other}).refusal, Refusal::no_common);
+}
+
 }  // namespace
 }  // namespace phy::design

@@ -11,7 +11,6 @@
 namespace phy::design {
 namespace {
 
-constexpr std::size_t most_starts = 3;
 constexpr double tolerance = 1e-12;  // of the sum and of the constants: far below what any test says
 
 /// The place of a key; the number of keys: it is not there.
@@ -25,17 +24,6 @@ double sum_of_squares(const Law& law, const Eigen::VectorXd& x) {
   return r.allFinite() ? r.squaredNorm() : std::numeric_limits<double>::infinity();
 }
 
-/// The starts with the least misfits, the others being farther from any minimum.
-std::vector<Eigen::VectorXd> nearest(const Law& law, const std::vector<Eigen::VectorXd>& starts) {
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < starts.size(); ++i) order.emplace_back(sum_of_squares(law, starts[i]), i);
-  std::sort(order.begin(), order.end());
-  std::vector<Eigen::VectorXd> few;
-  for (const auto& [sum, i] : order)
-    if (few.size() < most_starts && std::isfinite(sum)) few.push_back(starts[i]);
-  return few;
-}
-
 }  // namespace
 
 const char* word_of(Refusal refusal) {
@@ -47,6 +35,9 @@ const char* word_of(Refusal refusal) {
     case Refusal::no_matrix: return "no_matrix";
     case Refusal::falling: return "falling";
     case Refusal::not_admissible: return "not_admissible";
+    case Refusal::no_common: return "no_common";
+    case Refusal::planes_absent: return "planes_absent";
+    case Refusal::not_sought: return "not_sought";
     case Refusal::no_agreement: return "no_agreement";
   }
   return "";
@@ -83,7 +74,8 @@ Fit fit_law(const Law& law, std::vector<Key> keys, const std::vector<Eigen::Vect
   Fit fit{.refusal = Refusal::none, .keys = std::move(keys)};
   double least = std::numeric_limits<double>::infinity();
   // Laws with a choice of two have a minimum for each way to choose.
-  for (const Eigen::VectorXd& start : nearest(law, starts)) {
+  for (const Eigen::VectorXd& start : starts) {
+    if (!std::isfinite(sum_of_squares(law, start))) continue;
     const Eigen::VectorXd x = least_squares(misfits, start, {.tolerance = tolerance});
     const double sum = sum_of_squares(law, x);
     if (sum < least) least = sum, fit.x = x;

@@ -22,6 +22,9 @@ enum class Refusal {
   no_matrix,       ///< the same of the rock between them
   falling,         ///< the strength falls with the stress on the sides, or grows less than it
   not_admissible,  ///< constants that no elastic body has
+  no_common,       ///< no two draws have a constant in common, as of stresses that hardly differ
+  planes_absent,   ///< the model has no planes
+  not_sought,      ///< nobody has fitted the strengths of the model to a rock
   no_agreement     ///< the law has no strength in some direction
 };
 

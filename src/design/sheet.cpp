@@ -106,6 +106,8 @@ std::vector<double> angles_of(const Design& d) {
 /// The laboratory's values of a property; of strengths those under this stress.
 Series laboratory_series(const Design& d, Property property, double stress) {
   Series s{.name = "laboratory", .mark = Mark::points, .role = Role::laboratory};
+  if (property == Property::E && d.tests.E_is != ModulusReading::small_strain)
+    s.name += std::string(", ") + to_string(d.tests.E_is);
   // UCS is the strength under no stress.
   for (const Target& t : d.tests.laboratory) {
     const bool strength = property == Property::confined;
@@ -153,9 +155,10 @@ Panel strength_panel(const Design& d) {
     if (Series lab = laboratory_series(d, Property::confined, stress); !lab.points.empty())
       panel.series.push_back(std::move(lab));
   }
-  panel.caption = law != nullptr ? fmt::format("Points: mean and range of the draws. Lines: the {} law.",
-                                               word_of(law->part))
-                                 : "Points: mean and range of the draws.";
+  panel.caption = d.tests.of_rock
+                      ? "Points: mean and range of the draws, corrected by what they miss of the table."
+                      : "Points: mean and range of the draws.";
+  if (law != nullptr) panel.caption += fmt::format(" Lines: the {} law.", word_of(law->part));
   return panel;
 }
 

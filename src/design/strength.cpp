@@ -18,7 +18,8 @@ namespace {
 using enum Constant;
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double least_log_m = -4.6;    // m of 0.01
+constexpr double least_log_m = -4.6;  // m of 0.01
+constexpr std::size_t fewest_stresses = 3;
 constexpr double across_planes = 15.0;  // [deg] m_i is that of planes within this of across the load
 
 Eigen::VectorXd vector_of(std::initializer_list<double> values) {
@@ -108,6 +109,33 @@ std::vector<Eigen::VectorXd> starts_of(const StrengthPoints& points) {
   return starts;
 }
 
+/// The best constants from `x` on while every test stays with the branch that it is on, over and over until
+/// none changes: the misfits of min(slip, break) have kinks, on which a search downhill sticks.
+Eigen::VectorXd with_fixed_branches(const StrengthPoints& points, Eigen::VectorXd x) {
+  constexpr int most_rounds = 20;
+  std::vector<bool> before;
+  for (int round = 0; round < most_rounds; ++round) {
+    const PlaneAndRock of = plane_and_rock(x);
+    std::vector<bool> slips;
+    for (const StrengthPoint& p : points)
+      slips.push_back(theory::weak_plane_sigma_1(of.plane, p.theta, p.sigma_3) <
+                      theory::coulomb_sigma_1(of.rock, p.sigma_3));
+    if (slips == before) break;
+    before = slips;
+    const Law law = law_of(points, [&](const Eigen::VectorXd& at, const StrengthPoint& p) {
+      const PlaneAndRock now = plane_and_rock(at);
+      return slips[static_cast<std::size_t>(&p - points.data())]
+                 ? theory::weak_plane_sigma_1(now.plane, p.theta, p.sigma_3)
+                 : theory::coulomb_sigma_1(now.rock, p.sigma_3);
+    });
+    const Fit fit = fit_law(law, {{c_j}, {phi_j}, {c}, {phi}}, {x});
+    // A branch without tests has nothing that holds its constants.
+    if (!fit.ok()) break;
+    x = fit.x;
+  }
+  return x;
+}
+
 /// Why one of the branches rests on nothing.
 Refusal branch_unseen(const StrengthPoints& points, const PlaneAndRock& of) {
   StrengthPoints slipping, breaking;
@@ -183,11 +211,36 @@ double hoek_brown_sigma_1(const Fit& fit, double theta, double sigma_3) {
 
 theory::Fabric fabric_of(const Eigen::VectorXd& x) { return {std::exp(x[0]), x[1], x[2], x[3]}; }
 
+/// Inclinations with fewer stresses have no curve.
+Fit hoek_brown_of(const StrengthPoints& points, std::size_t fewest) {
+  std::vector<Fit> fits;
+  Refusal why = Refusal::too_few;
+  for (const double theta : angles_of(points)) {
+    const StrengthPoints of = at_angle(points, theta);
+    if (n_stresses(of) < fewest) continue;
+    Fit fit = fit_angle(of);
+    fit.ok() ? fits.push_back(std::move(fit)) : void(why = fit.refusal);
+  }
+  if (fits.empty()) return refused(why);
+  const Fit all = joined(fits);
+  // k is over the m of planes across the load, which somebody has to have tested.
+  if (all.keys.front().theta > across_planes) return all;
+  std::vector<Key> keys = all.keys;
+  for (const Fit& f : fits) keys.push_back({k_beta, f.keys.front().theta});
+  return transformed(all, keys, [](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+    y.head(x.size()) = x;
+    // Two numbers per inclination; the m of the first is m_i.
+    for (Eigen::Index i = 0; i < x.size() / 2; ++i) y[x.size() + i] = x[2 * i + 1] - x[1];
+  });
+}
+
 constexpr std::array<StrengthLaw, 3> laws = {{
-    {Part::ubiquitous_joint, fit_ubiquitous_joint,
+    {Part::ubiquitous_joint, fit_ubiquitous_joint, fit_ubiquitous_joint,
      [](const Fit& f, double theta, double sigma_3) { return jaeger(plane_and_rock(f.x), theta, sigma_3); }},
-    {Part::hoek_brown, fit_hoek_brown, hoek_brown_sigma_1},
-    {Part::fabric, fit_fabric,
+    {Part::hoek_brown, fit_hoek_brown,
+     [](const StrengthPoints& points) { return hoek_brown_of(points, fewest_stresses - 1); },
+     hoek_brown_sigma_1},
+    {Part::fabric, fit_fabric, fit_fabric,
      [](const Fit& f, double theta, double sigma_3) {
        return theory::fabric_sigma_1(fabric_of(f.x), theta, sigma_3);
      }},
@@ -200,8 +253,10 @@ Fit fit_ubiquitous_joint(const StrengthPoints& points) {
   const Law law = law_of(points, [](const Eigen::VectorXd& x, const StrengthPoint& p) {
     return jaeger(plane_and_rock(x), p.theta, p.sigma_3);
   });
-  const std::vector<Eigen::VectorXd> starts = starts_of(points);
+  std::vector<Eigen::VectorXd> starts = starts_of(points);
   if (starts.empty()) return refused(Refusal::no_plane);
+  for (std::size_t i = 0, n = starts.size(); i < n; ++i)
+    starts.push_back(with_fixed_branches(points, starts[i]));
   const Fit fit = fit_law(law, {{c_j}, {phi_j}, {c}, {phi}}, starts);
   // A plane that no test slips on has no slopes, and is found by that.
   if (fit.refusal == Refusal::undetermined || fit.refusal == Refusal::no_agreement)
@@ -212,25 +267,7 @@ Fit fit_ubiquitous_joint(const StrengthPoints& points) {
   return fit.x[1] < 0.0 || fit.x[3] < 0.0 ? refused(Refusal::falling) : fit;
 }
 
-Fit fit_hoek_brown(const StrengthPoints& points) {
-  std::vector<Fit> fits;
-  for (const double theta : angles_of(points)) {
-    const StrengthPoints of = at_angle(points, theta);
-    if (n_stresses(of) < 2) continue;
-    if (Fit fit = fit_angle(of); fit.ok()) fits.push_back(std::move(fit));
-  }
-  if (fits.empty()) return refused(points.empty() ? Refusal::too_few : Refusal::falling);
-  const Fit all = joined(fits);
-  // k is over the m of planes across the load, which somebody has to have tested.
-  if (all.keys.front().theta > across_planes) return all;
-  std::vector<Key> keys = all.keys;
-  for (const Fit& f : fits) keys.push_back({k_beta, f.keys.front().theta});
-  return transformed(all, keys, [](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-    y.head(x.size()) = x;
-    // Two numbers per inclination; the m of the first is m_i.
-    for (Eigen::Index i = 0; i < x.size() / 2; ++i) y[x.size() + i] = x[2 * i + 1] - x[1];
-  });
-}
+Fit fit_hoek_brown(const StrengthPoints& points) { return hoek_brown_of(points, fewest_stresses); }
 
 Fit fit_fabric(const StrengthPoints& points) {
   if (points.size() < 4) return refused(Refusal::too_few);
@@ -270,7 +307,7 @@ double left_out_error(const StrengthLaw& law, const StrengthPoints& points) {
     StrengthPoints others;
     std::copy_if(points.begin(), points.end(), std::back_inserter(others),
                  [&](const StrengthPoint& p) { return p.sigma_3 != left_out; });
-    const Fit fit = law.fit(others);
+    const Fit fit = law.fit_without(others);
     // A mean over the stresses that could be predicted would flatter the law.
     if (!fit.ok()) return nan;
     for (const StrengthPoint& p : points) {

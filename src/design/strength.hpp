@@ -32,6 +32,8 @@ const char* word_of(Part part);
 struct StrengthLaw {
   Part part;
   Fit (*fit)(const StrengthPoints& points);
+  /// The same of tests that lack a stress: two are enough, as nothing but a prediction comes of it.
+  Fit (*fit_without)(const StrengthPoints& points);
   /// Peak sigma_1 [Pa]; NaN: the fit says nothing there.
   double (*sigma_1)(const Fit& fit, double theta, double sigma_3);
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "base/rng.hpp"
@@ -55,6 +56,53 @@ TEST(UbiquitousJoint, FindsThePlaneAndTheRock) {
     EXPECT_NEAR(fit.value({phi}) / 37.0, 1.0, per_mille);
     EXPECT_LT(fit.error, 1e-6);
   }
+}
+
+/// Error of these constants, from Mohr's circle; without end where they are none.
+double brute_error(const StrengthPoints& points, const std::array<double, 4>& at) {
+  if (at[0] <= 0.0 || at[1] < 0.0 || at[1] > 60.0 || at[2] <= 0.0 || at[3] < 0.0 || at[3] > 60.0) return 1e9;
+  double squares = 0.0;
+  for (const StrengthPoint& p : points)
+    squares += std::pow(std::log(std::min(slip_by_bisection(at[0], at[1], p.theta, p.sigma_3),
+                                          breaks_at(at[2], at[3], p.sigma_3)) /
+                                 p.ucs),
+                        2);
+  return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
+/// The least error of a walk that tries random steps of all lengths about the best: no slopes, no branches.
+double brute_least(const StrengthPoints& points, std::array<double, 4> best, std::uint32_t rock) {
+  double least = brute_error(points, best);
+  for (std::uint32_t k = 0; k < 4000; ++k) {
+    const auto draw = [&](std::uint32_t j) { return 2.0 * uniform(rock, Stream::test, 9 * k + j) - 1.0; };
+    const double length = std::pow(10.0, -2.0 + 2.0 * draw(4)) * 0.3;
+    std::array<double, 4> at = best;
+    for (std::uint32_t j = 0; j < 4; ++j)
+      j % 2 == 0 ? at[j] *= std::exp(length * draw(j)) : at[j] += 30.0 * length * draw(j);
+    if (const double error = brute_error(points, at); error < least) least = error, best = at;
+  }
+  return least;
+}
+
+TEST(UbiquitousJoint, OfANoisyRockMissesNoMoreThanASearchByBruteForce) {
+  for (std::uint32_t rock = 0; rock < 6; ++rock) {
+    SCOPED_TRACE(rock);
+    std::uint32_t next = 100000;
+    const StrengthPoints points = points_of(three, [&](double theta, double s) {
+      const double sigma_1 = std::min(slip_by_bisection(11e6, 22.0, theta, s), breaks_at(24e6, 37.0, s));
+      return sigma_1 * std::exp(0.5 * (uniform(rock, Stream::test, next++) - 0.5));
+    });
+    const Fit fit = fit_ubiquitous_joint(points);
+    ASSERT_TRUE(fit.ok()) << word_of(fit.refusal);
+    EXPECT_LE(fit.error, 1.01 * brute_least(points, {11e6, 22.0, 24e6, 37.0}, rock));
+  }
+}
+
+TEST(HoekBrown, NeedsThreeStresses) {
+  const auto sigma_1 = [](double, double s) { return theory::hoek_brown_sigma_1(90e6, 11.0, s); };
+  EXPECT_EQ(fit_hoek_brown(points_of({0.0, 5e6}, sigma_1)).refusal, Refusal::too_few);
+  // To predict a stress that is left out, two do.
+  EXPECT_LT(left_out_error(strength_laws()[1], points_of(three, sigma_1)), 1e-5);
 }
 
 TEST(UbiquitousJoint, RefusesRockWithoutAPlane) {

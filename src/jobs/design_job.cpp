@@ -161,17 +161,22 @@ void keep_asked(std::vector<DrawTests>& draws, const std::vector<double>& stress
 
 /// A row per test.
 std::string tests_csv(const design::DesignTests& tests) {
-  std::string text = "draw,test,theta [deg],sigma_3 [Pa],number,value,unit\n";
+  std::string text = "draw,test,theta [deg],sigma_3 [Pa],number,simulated,corrected,unit\n";
   const auto row = [&](std::size_t k, const char* test, double theta, const std::string& stress,
-                       const char* number, double value, const char* unit) {
-    text += fmt::format("{},{},{},{},{},{},{}\n", k + 1, test, print_number(theta), stress, number,
-                        print_number(value), unit);
+                       const char* number, double value, const char* unit,
+                       const std::string& corrected = "") {
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", k + 1, test, print_number(theta), stress, number,
+                        print_number(value), corrected, unit);
   };
   for (std::size_t k = 0; k < tests.draws.size(); ++k) {
     for (const design::ElasticPoint& p : tests.draws[k].elasticity)
       row(k, "elastic", p.theta, "", "E", p.E, "Pa"), row(k, "elastic", p.theta, "", "nu", p.nu, "1");
-    for (const design::StrengthPoint& p : tests.draws[k].compression)
-      row(k, "biaxial", p.theta, print_number(p.sigma_3), "sigma_1", p.ucs, "Pa");
+    const design::StrengthPoints& compression = tests.draws[k].compression;
+    for (std::size_t i = 0; i < compression.size(); ++i) {
+      const design::StrengthPoint& p = compression[i];
+      row(k, "biaxial", p.theta, print_number(p.sigma_3), "sigma_1", tests.simulated[k].compression[i].ucs,
+          "Pa", tests.of_rock ? print_number(p.ucs) : "");
+    }
     for (const design::StrengthPoint& p : tests.draws[k].tension)
       row(k, "direct_tension", p.theta, "", "sigma_t", p.ucs, "Pa");
   }
@@ -188,6 +193,14 @@ std::vector<Target> table_of(const Calibration& calibration) {
   return table;
 }
 
+/// Tests that the table leaves open, as the verdict names them.
+std::vector<std::string> undetermined_of(const Calibration& calibration) {
+  std::vector<std::string> names;
+  for (const Finding& f : calibration.verdict.not_good_for)
+    if (f.kind == FindingKind::test_undetermined) names.push_back(f.names.front());
+  return names;
+}
+
 /// Every file that a design may leave.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> names = {"design.csv", "covariance.csv", "tests.csv", "design.json",
@@ -197,10 +210,28 @@ std::vector<std::string> files_in(const std::string& folder) {
   return names;
 }
 
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+/// What an earlier design in the folder left, and this one has no constants for, would be of another rock.
+void remove_others(const std::string& folder, const Files& files) {
+  for (const std::string& file : files_in(folder)) {
+    const std::string name = fs::path(file).filename().string();
+    const bool written =
+        std::any_of(files.begin(), files.end(), [&](const auto& f) { return f.first == name; });
+    // Changed by hand, it is no longer the program's.
+    std::error_code none;
+    if (!written && io::is_as_written(folder, name)) fs::remove(file, none);
+  }
+}
+
 }  // namespace
 
 std::size_t DesignPlan::n_tests() const {
-  return draws.size() * (recipe.test.angles.size() * request.stresses.size() + std::size(ends));
+  std::size_t n = 0;
+  if (!sought) return n;
+  for (const Recipe& draw : draws)
+    n += std::size(ends) + compression_recipes(draw, request.stresses, cells).size();
+  return n;
 }
 
 DesignPlan plan_design(const DesignRequest& request) {
@@ -218,6 +249,7 @@ DesignPlan plan_design(const DesignRequest& request) {
     plan.draws.push_back(draws[k * (draws.size() - 1) / (n - 1)]);
   }
   plan.calibration = read_calibration(fs::path(path).parent_path().string());
+  plan.sought = first_of(plan.calibration.verdict.not_good_for, FindingKind::strengths_of_recipe) == nullptr;
   for (const StrengthResidual& r : plan.calibration.residuals)
     if (!request.model_alone && is_compressive(r.target.property)) plan.cells.push_back(r.target);
   if (holds_calibration(request.out))
@@ -236,12 +268,15 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
                             .stresses = plan.request.stresses,
                             .draws = elasticity_of(elastic, plan.draws.size()),
                             .laboratory = table_of(plan.calibration),
+                            .E_is = plan.calibration.E_is,
                             .reading = plan.request.reading,
                             .of_rock = !plan.cells.empty(),
+                            .strengths_sought = plan.sought,
+                            .undetermined = undetermined_of(plan.calibration),
                             .dip = plan.request.dip};
   std::vector<Recipe> recipes;
   std::vector<Asked> asked;
-  for (std::size_t k = 0; k < plan.draws.size(); ++k) {
+  for (std::size_t k = 0; plan.sought && k < plan.draws.size(); ++k) {
     const auto& seen = tests.draws[k].elasticity;
     // Only the speed of the grips hangs on it, where a specimen has no solution.
     const auto modulus = [&](double E) { return E > 0.0 ? E : plan.draws[k].matrix.modulus(); };
@@ -251,22 +286,26 @@ design::Design run_design(const DesignPlan& plan, calibrate::Simulator& simulato
       recipes.push_back(std::move(r)), asked.push_back({k, false});
   }
   add_strengths(tests.draws, asked, recipes, simulator.test(recipes));
+  tests.n_without_strength = recipes.size();
+  for (const DrawTests& draw : tests.draws)
+    tests.n_without_strength -= draw.compression.size() + draw.tension.size();
+  tests.simulated = tests.draws;
   correct(tests.draws, plan);
-  keep_asked(tests.draws, plan.request.stresses);
+  keep_asked(tests.draws, plan.request.stresses), keep_asked(tests.simulated, plan.request.stresses);
   return design::design_of(std::move(tests));
 }
 
 std::vector<std::string> write_design(const std::string& folder, const design::Design& design) {
   const design::Values values = design.values();
-  std::vector<std::pair<std::string, std::string>> files = {
-      {"design.csv", design::constants_csv(values)},
-      {"covariance.csv", design::covariance_csv(values)},
-      {"tests.csv", tests_csv(design.tests)},
-      {"design.json", design::sheet_json(design).dump(1)},
-      {"report.html", design::sheet_page(design)}};
+  Files files = {{"design.csv", design::constants_csv(values)},
+                 {"covariance.csv", design::covariance_csv(values)},
+                 {"tests.csv", tests_csv(design.tests)},
+                 {"design.json", design::sheet_json(design).dump(1)},
+                 {"report.html", design::sheet_page(design)}};
   for (const design::Code& code : design::codes())
     if (auto text = design::file_of(code, values, design.tests.rock)) files.emplace_back(code.file, *text);
   std::vector<std::string> names;
+  remove_others(folder, files);
   for (const auto& [name, text] : files)
     io::write_output((fs::path(folder) / name).string(), text), names.push_back(name);
   return names;

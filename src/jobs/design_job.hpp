@@ -25,6 +25,7 @@ struct DesignPlan {
   std::vector<Recipe> draws;
   Calibration calibration;
   std::vector<Target> cells;  ///< strengths in compression of the table, whose misfit corrects the draws
+  bool sought = true;         ///< strengths were fitted to the rock; else none is tested
 
   std::size_t n_tests() const;  ///< in compression and tension
 };

@@ -170,6 +170,9 @@ TEST_F(CalibrateCli, EnsembleRunsTheTestOfTheRecipeOnEveryDrawAndTellsTheBand) {
   EXPECT_THAT(run(design), testing::AnyOf(0, 1)) << output;  // 1: of so few discs a part may be missing
   EXPECT_THAT(read(at("design") + "/design.csv"), HasSubstr("elasticity,E_n,"));
   EXPECT_THAT(read(at("design") + "/ogs-elastic.xml"), HasSubstr("youngs_modulus_a"));
+  EXPECT_THAT(read(at("design") + "/tests.csv"), HasSubstr(",simulated,corrected,unit\n"));
+  EXPECT_EQ(run(design + " --nu 1"), 1);
+  EXPECT_FALSE(fs::exists(at("design") + "/ogs-elastic.xml"));  // of the design before: no body has such a nu
   EXPECT_EQ(run(design + " --stresses \"0 MPa,5 MPa\""), 2);
   EXPECT_THAT(output, HasSubstr("at least three stresses"));
   EXPECT_EQ(run(design + " --draws 9"), 2);
