@@ -72,6 +72,24 @@ TEST(BValue, CompletenessIsFoundWhereSmallEventsAreMissed) {
   EXPECT_TRUE(std::isnan(completeness_of({})));
 }
 
+// Another thickness adds a constant to every magnitude: b and its error stay.
+TEST(BValue, StaysWhereAllMagnitudesAreShifted) {
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    const std::vector<double> all = catalogue(seed, 300, 1.0);
+    const BValue b = b_value(all, completeness_of(all));
+    ASSERT_TRUE(std::isfinite(b.b));
+    for (const double shift : {2.0 / 3.0, 0.037, -1.25}) {
+      std::vector<double> shifted = all;
+      for (double& m : shifted) m += shift;
+      const BValue again = b_value(shifted, completeness_of(shifted));
+      EXPECT_NEAR(again.completeness, b.completeness + shift, 1e-9) << shift;
+      EXPECT_EQ(again.n, b.n) << shift;
+      EXPECT_NEAR(again.b, b.b, 1e-9) << shift;
+      EXPECT_NEAR(again.error, b.error, 1e-9) << shift;
+    }
+  }
+}
+
 TEST(EventNumbers, CountTypesAndSayWhatIsMissing) {
   std::vector<AcousticEvent> events(3);
   events[0].type = SourceType::opening, events[0].magnitude = -7.0;
