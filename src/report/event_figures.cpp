@@ -34,7 +34,9 @@ Panel frequency_panel(const SpecimenRecord& t) {
   panel.series.push_back(frequency_of(magnitudes));
   // Read and not computed: the figure shows what result.json says.
   const double b = value_of(t, "b_value"), from = value_of(t, "magnitude_of_completeness");
-  panel.caption = text_of_b_value(b, value_of(t, "b_value_half_width"), value_of(t, "event_thickness"));
+  // value_of knows no number of an untrusted test; what magnitudes are of is certain all the same.
+  panel.caption = text_of_b_value(b, value_of(t, "b_value_half_width"), t.result.events.front().thickness,
+                                  t.result.outcome.status != Status::untrusted);
   const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
   // They are below zero, where an axis would otherwise end.
   panel.x.low = std::floor(*least), panel.x.high = std::max(std::ceil(*most), panel.x.low + 1.0);
@@ -53,7 +55,8 @@ Panel frequency_panel(const SpecimenRecord& t) {
 Series circles_of(const SpecimenRecord& t, SourceType type) {
   Series s{to_string(type), Mark::line, Role::listed, static_cast<std::size_t>(type)};
   const SpecimenSize& size = t.recipe.specimen;
-  const double largest = value_of(t, "largest_magnitude");
+  const std::vector<double> magnitudes = events::magnitudes_of(t.result.events);
+  const double largest = *std::max_element(magnitudes.begin(), magnitudes.end());
   constexpr int chords = 16;
   for (const AcousticEvent& e : t.result.events) {
     if (e.type != type || !std::isfinite(e.magnitude)) continue;
@@ -98,8 +101,7 @@ Panel counts_panel(const SpecimenRecord& t, const LaboratoryCounts& laboratory) 
     measured.points.push_back({100.0 * part, 100.0 * theirs.share(part)});
   }
   panel.series = {model, measured};
-  const events::CountsCompared c = events::compared(ours, theirs);
-  panel.caption = text_of_counts(c.difference, c.part);
+  panel.caption = text_of_counts(events::compared(ours, theirs));
   return panel;
 }
 
