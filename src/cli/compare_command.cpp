@@ -65,11 +65,13 @@ void print_table(const std::vector<analysis::ComparedNumber>& numbers, int width
 
 /// Acoustic events beside those that a laboratory has counted.
 std::string counts_text(const SpecimenRecord& test, const History& theirs) {
-  const events::CountsCompared c =
+  if (test.result.events.empty())
+    return "The result has no acoustic events to compare the counts with: events = true in [test] finds "
+           "them.";
+  return report::text_of_counts(
       events::compared(events::counts_of(test.result.events, test.recipe.test.kind->curve.sign,
                                          std::fabs(report::value_of(test, "peak_strain"))),
-                       events::counts_of(theirs));
-  return report::text_of_counts(c.difference, c.part);
+                       events::counts_of(theirs)));
 }
 
 constexpr double column_width = 90.0;  // [mm] of a journal
@@ -120,7 +122,7 @@ int compare(const CompareArguments& args, const Session& session) {
         width, 2,
         "stress at equal strain up to the peak: {:.2f} % of our strength apart (root mean square)\n",
         100.0 * distance);
-  if (!test.result.events.empty() && std::isfinite(theirs.history.rows.front().n_cracks))
+  if (std::isfinite(theirs.history.rows.front().n_cracks))
     print_wrapped(width, 2, "{}\n", counts_text(test, theirs.history));
   if (!args.figure.empty()) draw(args, ours, theirs.history);
   return tell_provenance(run, width);

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -18,6 +19,7 @@
 #include "jobs/calibration_folder.hpp"
 #include "jobs/report.hpp"
 #include "jobs/run_folder.hpp"
+#include "report/event_figures.hpp"
 #include "report/figures.hpp"
 #include "rock/curve.hpp"
 #include "rock/file.hpp"
@@ -73,6 +75,22 @@ RunRecord specimens_of(const std::string& folder) {
   return io::read_run(specimens);
 }
 
+/// Counts of a laboratory beside a run. Throws InputError where they cannot stand there.
+report::LaboratoryCounts counts_for(const RunRecord& run, const std::string& file) {
+  for (const SpecimenRecord& t : run.tests)
+    if (t.recipe.test.kind != TestKind())
+      throw InputError(
+          Problem{"command line", "--counts", file, "a result of uniaxial compression",
+                  fmt::format("counts beside a test {} are not compared", t.recipe.test.kind->name)});
+  History curve = rock::read_curve(file).history;
+  if (!std::isfinite(curve.rows.front().n_cracks))
+    throw InputError(
+        Problem{file, "counts", "",
+                fmt::format("a column of counts so far, one of {}", fmt::join(rock::names_of_counts(), ", ")),
+                "rename the one that it is; rates must be summed up"});
+  return {std::move(curve), std::filesystem::path(file).filename().string()};
+}
+
 report::FigureData data_for(const report::FigureKind& kind, const Held& held, const FigureArguments& args) {
   // Figures of a study need parameters that vary, all others specimens.
   if (kind.varied != held.variation)
@@ -95,9 +113,7 @@ report::FigureData data_for(const report::FigureKind& kind, const Held& held, co
     data.calibration = jobs::read_calibration(args.result);
   else
     data.run = held.calibration ? specimens_of(args.result) : io::read_run(args.result);
-  if (!args.counts.empty())
-    data.counts = {rock::read_curve(args.counts).history,
-                   std::filesystem::path(args.counts).filename().string()};
+  if (!args.counts.empty()) data.counts = counts_for(data.run, args.counts);
   if (!args.rock.empty()) data.laboratory = targets_of(rock::read_rock(args.rock));
   return data;
 }

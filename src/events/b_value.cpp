@@ -13,7 +13,7 @@ namespace {
 
 constexpr double ln_10 = 2.302585092994045684;
 constexpr double bins_per_unit = 10.0;  // of magnitudes
-constexpr std::int64_t beyond = 2;      // bins: the fullest one is not yet complete
+constexpr double beyond = 2.0;          // bins: the fullest one is not yet complete
 
 }  // namespace
 
@@ -37,15 +37,16 @@ BValue b_value(std::span<const double> magnitudes, double completeness) {
 
 double completeness_of(std::span<const double> magnitudes) {
   if (magnitudes.empty()) return nan;
-  // Counted from the largest: another thickness adds to all magnitudes, and must leave b as it is.
+  // Bins lie about the largest magnitude and not on a grid of their own: another thickness shifts all
+  // magnitudes, and must not shift them into other bins.
   const double largest = *std::max_element(magnitudes.begin(), magnitudes.end());
   std::map<std::int64_t, std::size_t> bins;
-  for (const double m : magnitudes)
-    ++bins[-1 - static_cast<std::int64_t>(std::floor((largest - m) * bins_per_unit))];
+  for (const double m : magnitudes) ++bins[std::llround((m - largest) * bins_per_unit)];
   // The first of equally full ones: fewer events are left out.
   const auto fullest = std::max_element(bins.begin(), bins.end(),
                                         [](const auto& p, const auto& q) { return p.second < q.second; });
-  return largest + static_cast<double>(fullest->first + beyond) / bins_per_unit;
+  const double lower_edge = static_cast<double>(fullest->first) - 0.5;
+  return largest + (lower_edge + beyond) / bins_per_unit;
 }
 
 std::vector<double> magnitudes_of(std::span<const AcousticEvent> events) {
@@ -66,8 +67,8 @@ std::vector<Number> event_numbers(std::span<const AcousticEvent> events, double 
   };
   const std::string few =
       std::isfinite(b.b) ? ""
-                         : fmt::format("{} events from the magnitude of completeness on; at least {} give b",
-                                       b.n, least_events);
+                         : fmt::format("{} event{} from the magnitude of completeness on; at least {} give b",
+                                       b.n, b.n == 1 ? "" : "s", least_events);
   return {{"n_events", static_cast<double>(events.size()), "1", "acoustic events: clusters of cracks", ""},
           {"events_opening", count(SourceType::opening), "1", "events with R > 30 %", ""},
           {"events_shear", count(SourceType::shear), "1", "events with R from -30 % to 30 %", ""},

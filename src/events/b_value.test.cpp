@@ -72,17 +72,20 @@ TEST(BValue, CompletenessIsFoundWhereSmallEventsAreMissed) {
   EXPECT_TRUE(std::isnan(completeness_of({})));
 }
 
-// Another thickness of the specimen adds to all magnitudes (docs/events.md).
-TEST(BValue, IsThatOfAnyThickness) {
-  for (const std::uint64_t seed : {7U, 8U, 9U}) {
-    std::vector<double> magnitudes = catalogue(seed, 400, 2.5);
-    const BValue before = b_value(magnitudes, completeness_of(magnitudes));
-    for (const double more : {2.0 / 3.0, 0.037, -1.21}) {
-      std::vector<double> moved = magnitudes;
-      for (double& m : moved) m += more;
-      const BValue after = b_value(moved, completeness_of(moved));
-      EXPECT_EQ(after.n, before.n) << more;
-      EXPECT_NEAR(after.b, before.b, 1e-9) << more;
+// Another thickness adds a constant to every magnitude: b and its error stay.
+TEST(BValue, StaysWhereAllMagnitudesAreShifted) {
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    const std::vector<double> all = catalogue(seed, 300, 1.0);
+    const BValue b = b_value(all, completeness_of(all));
+    ASSERT_TRUE(std::isfinite(b.b));
+    for (const double shift : {2.0 / 3.0, 0.037, -1.25}) {
+      std::vector<double> shifted = all;
+      for (double& m : shifted) m += shift;
+      const BValue again = b_value(shifted, completeness_of(shifted));
+      EXPECT_NEAR(again.completeness, b.completeness + shift, 1e-9) << shift;
+      EXPECT_EQ(again.n, b.n) << shift;
+      EXPECT_NEAR(again.b, b.b, 1e-9) << shift;
+      EXPECT_NEAR(again.error, b.error, 1e-9) << shift;
     }
   }
 }

@@ -15,7 +15,9 @@ double Counts::share(double part) const {
     const double way = (limit - strain[behind - 1]) / (strain[behind] - strain[behind - 1]);
     return n[behind - 1] + way * (n[behind] - n[behind - 1]);
   };
-  const double all = std::isfinite(peak) ? up_to(peak) : nan;
+  // A test that stopped early has no peak, and all its events are none up to there.
+  if (!std::isfinite(peak)) return nan;
+  const double all = up_to(peak);
   return all > 0.0 ? up_to(part * peak) / all : nan;
 }
 
@@ -45,11 +47,12 @@ Counts counts_of(const History& history) {
 CountsCompared compared(const Counts& ours, const Counts& theirs) {
   constexpr int steps = 200;
   CountsCompared found;
+  found.peaks = std::isfinite(ours.peak) && std::isfinite(theirs.peak);
   for (int i = 0; i <= steps; ++i) {
     const double part = static_cast<double>(i) / steps, difference = ours.share(part) - theirs.share(part);
     // Negated: the first number takes the place of NaN.
     if (!std::isfinite(difference) || std::fabs(difference) <= std::fabs(found.difference)) continue;
-    found = {difference, part};
+    found.difference = difference, found.part = part;
   }
   return found;
 }

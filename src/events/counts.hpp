@@ -14,7 +14,8 @@ namespace phy::events {
 struct Counts {
   std::vector<double> strain, n;
   double peak = nan;  ///< strain at the largest stress
-  /// Events up to `part` of the strain at the peak over those up to the peak. NaN: there are none.
+  /// Events up to `part` of the strain at the peak over those up to the peak. NaN: there are none, or no
+  /// peak.
   double share(double part) const;
 };
 /// `sign` makes recorded strains grow.
@@ -27,6 +28,7 @@ Counts counts_of(const History& history);
 struct CountsCompared {
   double difference = nan;  ///< ours minus theirs
   double part = nan;        ///< of the strain at the peak
+  bool peaks = true;        ///< both have a peak to compare up to
 };
 CountsCompared compared(const Counts& ours, const Counts& theirs);
 

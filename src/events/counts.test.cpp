@@ -25,6 +25,14 @@ TEST(Counts, AreSharesOfThoseUpToThePeak) {
   EXPECT_TRUE(std::isnan(counts_of(at({}), 1.0, 0.4).share(1.0)));
 }
 
+TEST(Counts, WithoutAPeakAreNotCompared) {
+  const Counts none = counts_of(at({0.1, 0.2}), 1.0, nan), some = counts_of(at({0.1, 0.2}), 1.0, 0.4);
+  EXPECT_TRUE(std::isnan(none.share(0.5)));
+  EXPECT_TRUE(std::isnan(compared(none, some).difference));
+  EXPECT_FALSE(compared(none, some).peaks);
+  EXPECT_TRUE(compared(some, some).peaks);
+}
+
 TEST(Counts, OfACurveAreThoseOfItsRows) {
   History h;
   for (const auto& [strain, stress, n] :

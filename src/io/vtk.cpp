@@ -149,25 +149,28 @@ std::string events_vtp(const std::vector<AcousticEvent>& events, TestKind kind) 
   std::vector<double> xyz, time, strain, moment, magnitude, share, energy, tensor;
   std::vector<std::int64_t> type, cracks;
   for (const AcousticEvent& e : events) {
+    // Without a moment there is no magnitude, and 0 would be the largest of all.
+    if (!std::isfinite(e.magnitude)) continue;
     // Three coordinates, as of grains.
     xyz.insert(xyz.end(), {e.position.x, e.position.y, 0.0});
     time.push_back(e.time), strain.push_back(e.strain);
-    moment.push_back(e.moment), magnitude.push_back(or_zero(e.magnitude));
+    moment.push_back(e.moment), magnitude.push_back(e.magnitude);
     share.push_back(e.volume_share), energy.push_back(e.energy);
     const MomentTensor& m = e.tensor;  // ParaView draws tensors of three directions
     tensor.insert(tensor.end(), {m.xx, m.xy, 0.0, m.xy, m.yy, 0.0, 0.0, 0.0, 0.0});
     type.push_back(static_cast<std::int64_t>(e.type)), cracks.push_back(e.n_cracks);
   }
-  PolyData file(events.size(), 0, events.size());
+  const std::size_t n = magnitude.size();
+  PolyData file(n, 0, n);
   const std::string points = file.array("points", 3, xyz);
-  const std::string verts = cells(file, events.size(), 1, counting(events.size()));
+  const std::string verts = cells(file, n, 1, counting(n));
   const std::string lines = cells(file, 0, 2, {});
   const std::string way = kind->loads_by_strain() ? "strain" : heading(kind->loading_column());
   const std::string data = file.array("time [s]", 1, time) + file.array(way, 1, strain) +
-                           file.array("n_cracks", 1, cracks) + file.array("moment [N m per m]", 1, moment) +
+                           file.array("n_cracks", 1, cracks) + file.array("moment [N]", 1, moment) +
                            file.array("magnitude", 1, magnitude) + file.array("volume share [%]", 1, share) +
                            file.array("source", 1, type) + file.array("energy [J per m]", 1, energy) +
-                           file.array("moment tensor [N m per m]", 9, tensor);
+                           file.array("moment tensor [N]", 9, tensor);
   return file.render(points, verts, lines, data, "");
 }
 

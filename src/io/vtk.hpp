@@ -17,7 +17,7 @@ std::string grains_vtp(const Packing& packing, const Snapshot& shot);
 std::string contacts_vtp(const Packing& packing, const Snapshot& shot);
 /// Cracks as segments across their normal: mode, place, strain (direct shear: displacement), energy.
 std::string cracks_vtp(const std::vector<CrackEvent>& cracks, TestKind kind);
-/// Acoustic events as points: magnitude, moment, volume share, type, cracks, strain, and the tensor.
+/// Acoustic events with a moment as points: magnitude, moment, volume share, type, cracks, strain, tensor.
 std::string events_vtp(const std::vector<AcousticEvent>& events, TestKind kind);
 /// Collection of files over axial strain (direct shear: displacement).
 std::string collection_pvd(const std::vector<std::pair<double, std::string>>& files);

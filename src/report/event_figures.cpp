@@ -7,7 +7,6 @@
 #include <functional>
 #include <numbers>
 
-#include "analysis/analyse.hpp"
 #include "events/b_value.hpp"
 #include "events/counts.hpp"
 #include "report/curves.hpp"
@@ -28,20 +27,16 @@ Series frequency_of(std::vector<double> magnitudes) {
   return s;
 }
 
-/// As stored, of an untrusted test too, whose magnitudes are drawn as well.
-double stored(const SpecimenRecord& t, const char* name) {
-  const Number* n = analysis::find(t.result.numbers, name);
-  return n == nullptr ? nan : n->value;
-}
-
 Panel frequency_panel(const SpecimenRecord& t) {
   Panel panel{heading(t.result), "", Axis{"magnitude"}, Axis{"events of at least that magnitude"}};
   panel.y.logarithmic = true;
   const std::vector<double> magnitudes = events::magnitudes_of(t.result.events);
   panel.series.push_back(frequency_of(magnitudes));
   // Read and not computed: the figure shows what result.json says.
-  const double b = stored(t, "b_value"), from = stored(t, "magnitude_of_completeness");
-  panel.caption = text_of_b_value(b, stored(t, "b_value_half_width"), stored(t, "event_thickness"));
+  const double b = value_of(t, "b_value"), from = value_of(t, "magnitude_of_completeness");
+  // value_of knows no number of an untrusted test; what magnitudes are of is certain all the same.
+  panel.caption = text_of_b_value(b, value_of(t, "b_value_half_width"), t.result.events.front().thickness,
+                                  t.result.outcome.status != Status::untrusted);
   const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
   // They are below zero, where an axis would otherwise end.
   panel.x.low = std::floor(*least), panel.x.high = std::max(std::ceil(*most), panel.x.low + 1.0);
@@ -60,7 +55,8 @@ Panel frequency_panel(const SpecimenRecord& t) {
 Series circles_of(const SpecimenRecord& t, SourceType type) {
   Series s{to_string(type), Mark::line, Role::listed, static_cast<std::size_t>(type)};
   const SpecimenSize& size = t.recipe.specimen;
-  const double largest = stored(t, "largest_magnitude");
+  const std::vector<double> magnitudes = events::magnitudes_of(t.result.events);
+  const double largest = *std::max_element(magnitudes.begin(), magnitudes.end());
   constexpr int chords = 16;
   for (const AcousticEvent& e : t.result.events) {
     if (e.type != type || !std::isfinite(e.magnitude)) continue;
@@ -105,8 +101,7 @@ Panel counts_panel(const SpecimenRecord& t, const LaboratoryCounts& laboratory) 
     measured.points.push_back({100.0 * part, 100.0 * theirs.share(part)});
   }
   panel.series = {model, measured};
-  const events::CountsCompared c = events::compared(ours, theirs);
-  panel.caption = text_of_counts(c.difference, c.part);
+  panel.caption = text_of_counts(events::compared(ours, theirs));
   return panel;
 }
 

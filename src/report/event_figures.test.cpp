@@ -19,6 +19,7 @@ RunRecord heard(int n) {
   for (int i = 0; i < n; ++i) {
     AcousticEvent& e = t.result.events.emplace_back();
     e.strain = 1e-3 * (i + 1), e.magnitude = -7.0 - 0.01 * i, e.position = {0.004, 0.02};
+    e.thickness = 1e-3;
     e.type = i % 10 == 0 ? SourceType::implosion : SourceType::opening;
   }
   t.result.numbers = events::event_numbers(t.result.events, 1e-3);
@@ -55,6 +56,17 @@ TEST(EventFigures, CirclesAreBySourceAndTheLargestIsATenthOfTheWidth) {
   EXPECT_EQ(s[3].points.size(), 90U * 18U);
   EXPECT_TRUE(std::isnan(s[1].points[17].y)) << "parts a circle from the next";
   EXPECT_DOUBLE_EQ(event_radius(run.tests[0].result.events[0], -7.0, 0.04), 0.002);
+}
+
+TEST(EventFigures, OfAnUntrustedTestKeepPlacesAndThickness) {
+  RunRecord run = heard(100);
+  run.tests[0].result.outcome.status = Status::untrusted;
+  const Panel p = events_figure(run, {}).panels.at(0);
+  EXPECT_EQ(p.series.size(), 1U) << "without b";
+  EXPECT_EQ(p.caption.find("nan"), std::string::npos) << p.caption;
+  const std::vector<Series> s = event_places_figure(run).panels.at(0).series;
+  EXPECT_TRUE(std::isfinite(s.at(1).points.at(0).x));
+  EXPECT_TRUE(std::isfinite(s.at(1).points.at(0).y));
 }
 
 TEST(EventFigures, CountsOfALaboratoryStandBeside) {

@@ -50,7 +50,8 @@ const std::vector<Role>& roles() {
        &HistoryRow::axial_stress,
        {"load", "force"},
        "axial_stress [MPa] is the load in N over the cross-section of the specimen in mm2"},
-      {{"n_cracks", "cracks", "counts", "cumulative_counts", "hits", "events"},
+      // Beside cumulative counts a column "counts" holds those of each row.
+      {{"n_cracks", "cracks", "cumulative_counts", "counts", "hits", "events"},
        Dimension::none,
        "[1]",
        &HistoryRow::n_cracks,
@@ -215,6 +216,8 @@ class CurveReader {
   void read_rows() {
     // One message per column: ten thousand cells of text are one mistake.
     std::vector<io::RepeatedProblem> bad(columns_.size());
+    io::RepeatedProblem falling;
+    double counted = 0.0;
     for (const io::TableRow& row : table_.rows) {
       HistoryRow r;
       r.n_cracks = nan;  // where no column counts them
@@ -230,9 +233,17 @@ class CurveReader {
           bad[i].add(
               {at(row.line), table_.header[c.cell], cell, "a number", "leave rows without a reading out"});
       }
+      // NaN, where no column counts, is not less.
+      if (r.n_cracks < counted)
+        falling.add({at(row.line), "counts", fmt::format("{:g}", r.n_cracks),
+                     fmt::format("counts so far, at least {:g}", counted),
+                     "sum up what each row counts, without negative numbers"});
+      else if (std::isfinite(r.n_cracks))
+        counted = r.n_cracks;
       curve_.history.rows.push_back(r);
     }
     for (const io::RepeatedProblem& p : bad) p.tell(problems_);
+    falling.tell(problems_);
     if (problems_.empty() && curve_.history.rows.size() < least_rows)
       problems_.push_back({where_, "", fmt::format("{} rows", curve_.history.rows.size()),
                            fmt::format("at least {} rows", least_rows), "write the curve more often"});
@@ -260,6 +271,11 @@ class CurveReader {
 };
 
 }  // namespace
+
+std::vector<std::string> names_of_counts() {
+  const std::vector<const char*>& names = roles().back().names;
+  return {names.begin(), names.end()};
+}
 
 ForeignCurve parse_curve(std::string_view text, const std::string& where) {
   return CurveReader(text, where).read();

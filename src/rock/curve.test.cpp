@@ -122,6 +122,19 @@ TEST(CurveIn, WhatItCanBeComputedFromIsSaid) {
               testing::EndsWith("rename the one that it is: Axial strain 1 [1]"));
 }
 
+TEST(CurveIn, CountsAreThoseSoFar) {
+  const std::string rows = "0,0,0,0\n1,1,5,5\n2,2,3,8\n3,3,2,10\n4,4,1,11\n";
+  EXPECT_EQ(parse_curve("strain [1],stress [Pa],counts,cumulative counts\n" + rows, "t.csv")
+                .history.rows[4]
+                .n_cracks,
+            11.0);
+  const std::string falls = error_of("strain [1],stress [Pa],counts,time\n" + rows);
+  EXPECT_THAT(falls, HasSubstr("theirs.csv:4: counts = 3"));
+  EXPECT_THAT(falls, HasSubstr("and 2 more lines"));
+  EXPECT_THAT(error_of("strain [1],stress [Pa],hits\n0,0,-1\n1,1,1\n2,2,2\n3,3,3\n4,4,4\n"),
+              HasSubstr("theirs.csv:2: counts = -1"));
+}
+
 TEST(CurveIn, CellsThatAreNoNumbersAreToldOncePerColumn) {
   std::string text = "strain [1],stress [MPa]\n0,0\n";
   for (int i = 0; i < 60; ++i) text += "1,x\n";
