@@ -19,6 +19,7 @@
 #include "jobs/calibration_folder.hpp"
 #include "jobs/report.hpp"
 #include "jobs/run_folder.hpp"
+#include "records/test_description.hpp"
 #include "report/event_figures.hpp"
 #include "report/figures.hpp"
 #include "rock/curve.hpp"
