@@ -15,7 +15,7 @@ std::string text_of_b_value(double b, double half_width, double thickness, bool 
 
 std::string text_of_counts(const events::CountsCompared& c) {
   constexpr double alike = 0.005;  // shown as 0 %
-  if (!c.peaks) return "The counts cannot be compared: there is no peak to compare up to.";
+  if (!c.peaks) return "The counts cannot be compared: there is no trusted peak to compare up to.";
   if (!std::isfinite(c.difference))
     return "The counts cannot be compared: one curve has none before its peak.";
   if (std::fabs(c.difference) < alike) return "The counts run alike up to the peak.";
