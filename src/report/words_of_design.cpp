@@ -20,7 +20,7 @@ std::string reason(const std::string& word) {
       {"undetermined", "the tests leave a combination of the constants open"},
       {"no_plane", "no specimen slips on a plane under two confining stresses"},
       {"no_matrix", "no specimen breaks between the planes under two confining stresses"},
-      {"falling", "the strength does not grow with the confining stress"},
+      {"falling", "by the best fit the strength of planes or of rock falls with the confining stress"},
       {"no_common", "no two draws have a constant in common; the confining stresses may hardly differ"},
       {"planes_absent", "the model has no planes"},
       {"not_sought", "the calibration did not fit strengths, which are the recipe's"},
