@@ -1,9 +1,10 @@
+import { resolve } from "node:path";
 // What the tests of both pages have in common: the program, the browser, waiting, and the focus that is seen.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
 
-export const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
+export const phyllite = resolve(process.env.PHYLLITE ?? "build/release/phyllite"); // also from other folders
 
 export const launch = (...more) => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage", ...more] });
 
