@@ -1,7 +1,7 @@
-import { resolve } from "node:path";
 // What the tests of both pages have in common: the program, the browser, waiting, and the focus that is seen.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
+import { resolve } from "node:path";
 import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
 
 export const phyllite = resolve(process.env.PHYLLITE ?? "build/release/phyllite"); // also from other folders
