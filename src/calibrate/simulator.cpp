@@ -91,7 +91,11 @@ class OwnSimulator : public Simulator {
     if (options_.with_untrusted) rows = study::with_untrusted(std::move(rows));
     std::vector<TestResult> results(recipes.size());
     for (std::size_t i = 0; i < rows.size(); ++i)  // none where the user stopped
-      if (rows[i]) results[i] = rows[i]->result, add_failure(results[i], recipes[i], keys[i]);
+      if (rows[i]) {
+        results[i] = rows[i]->result;
+        results[i].kind = recipes[i].test.kind;  // the store does not say it
+        add_failure(results[i], recipes[i], keys[i]);
+      }
     return results;
   }
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "base/clock.hpp"
+#include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
-#include "cli/progress.hpp"
 #include "cli/stresses.hpp"
 #include "cli/terminal.hpp"
 #include "design/sheet.hpp"
@@ -33,23 +33,6 @@ jobs::DesignRequest request_of(const DesignArguments& args) {
   return request;
 }
 
-/// This program's own tests, kept in the folder, so that the same command goes on where it was stopped.
-calibrate::SimulatorOptions simulator_of(const DesignArguments& args, const Session& session,
-                                         ProgressLine& line) {
-  calibrate::SimulatorOptions options;
-  options.threads = n_threads(session), options.stop = stop_on_interrupt();
-  options.with_untrusted = args.with_untrusted;
-  options.store = (std::filesystem::path(args.out) / "runs.sqlite").string();
-  options.on_progress = [&line](const calibrate::TestProgress& p) {
-    line.show([&](double) {
-      return fmt::format(
-          "{}/{} tests{}", p.n_done, p.n_total,
-          p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
-    });
-  };
-  return options;
-}
-
 void print_tables(const design::Design& design, int width) {
   for (const design::SheetTable& t : design::sheet_tables(design)) {
     std::vector<Column> columns;
@@ -64,19 +47,17 @@ void print_tables(const design::Design& design, int width) {
 int design_of(const DesignArguments& args, const Session& session) {
   const jobs::DesignPlan plan = jobs::plan_design(request_of(args));
   const int width = session.terminal_width;
-  print_wrapped(width, 8, "design  {}: {} draws, {} tests under {} confining stresses\n",
+  print_wrapped(width, 8, "design  {}: {} draws, {} tests; constants under {} confining stresses\n",
                 plan.calibration.rock, plan.draws.size(), plan.n_tests(), plan.request.stresses.size());
   flush_out();
   ProgressLine line;
-  const auto simulator = calibrate::make_simulator(simulator_of(args, session, line));
+  const auto simulator = calibrate::make_simulator(tests_in(args.out, args.with_untrusted, session, line));
   design::Design design;
   try {
     design = jobs::run_design(plan, *simulator);
   } catch (const calibrate::Stopped&) {
     line.finish();
-    print_wrapped(width, 2, "stopped: what was finished is in {}; the same command goes on with it\n",
-                  args.out);
-    return 1;
+    return tell_stopped(args.out, width);
   }
   line.finish();
   const std::vector<std::string> files = jobs::write_design(args.out, design);

@@ -12,14 +12,13 @@
 #include "base/text_table.hpp"
 #include "base/units.hpp"
 #include "calibrate/discrepancy.hpp"
-#include "calibrate/simulator.hpp"
 #include "cli/machine.hpp"
-#include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/ensemble.hpp"
+#include "jobs/report.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
 #include "report/words.hpp"
@@ -61,22 +60,10 @@ std::vector<Job> jobs_of(const std::vector<Recipe>& draws, const std::vector<dou
 
 /// Runs what the store does not hold yet. False: stopped by the user.
 bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Session& session) {
-  calibrate::SimulatorOptions machine;
-  machine.threads = n_threads(session), machine.stop = stop_on_interrupt();
-  machine.with_untrusted = args.with_untrusted;
-  // Kept in a store: hours of tests survive a stop.
-  machine.store = (fs::path(args.out) / "runs.sqlite").string();
   ProgressLine line;
-  machine.on_progress = [&](const calibrate::TestProgress& p) {
-    line.show([&](double) {
-      return fmt::format(
-          "{}/{} tests{}", p.n_done, p.n_total,
-          p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
-    });
-  };
   std::vector<Recipe> recipes;
   for (const Job& job : jobs) recipes.push_back(job.single);
-  const auto simulator = calibrate::make_simulator(machine);
+  const auto simulator = calibrate::make_simulator(tests_in(args.out, args.with_untrusted, session, line));
   std::vector<TestResult> results;
   try {
     results = simulator->test(recipes);
@@ -85,11 +72,7 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
     line.finish();
     return false;
   }
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    jobs[i].result = std::move(results[i]);
-    // What reads the result asks its kind for columns and strength.
-    jobs[i].result.kind = recipes[i].test.kind;  // the store does not say it
-  }
+  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].result = std::move(results[i]);
   line.finish();
   return true;
 }
@@ -285,6 +268,28 @@ std::string only_recipe(const std::vector<std::string>& recipes) {
 
 }  // namespace
 
+calibrate::SimulatorOptions tests_in(const std::string& folder, bool with_untrusted, const Session& session,
+                                     ProgressLine& line) {
+  calibrate::SimulatorOptions options;
+  options.threads = n_threads(session), options.stop = stop_on_interrupt();
+  options.with_untrusted = with_untrusted;
+  // Kept in a store: hours of tests survive a stop.
+  options.store = (fs::path(folder) / "runs.sqlite").string();
+  options.on_progress = [&line](const calibrate::TestProgress& p) {
+    line.show([&](double) {
+      return fmt::format(
+          "{}/{} tests{}", p.n_done, p.n_total,
+          p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
+    });
+  };
+  return options;
+}
+
+int tell_stopped(const std::string& folder, int width) {
+  print_wrapped(width, 2, "stopped: what was finished is in {}; the same command goes on with it\n", folder);
+  return 1;
+}
+
 int run_ensemble(const EnsembleArguments& args, const Session& session,
                  const std::vector<double>& confining) {
   const std::string path = only_recipe(args.recipes);
@@ -294,7 +299,7 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
   const std::string tests = (fs::path(args.out) / "ensemble.csv").string();
   const std::string band = (fs::path(args.out) / "band.csv").string();
   // Both keep a runs.sqlite: mixed, --resume of the calibration would find tests that are not its own.
-  if (fs::exists(fs::path(args.out) / "calibration.json"))
+  if (jobs::holds_calibration(args.out))
     throw InputError(Problem{"command line", "--out", args.out, "",
                              "it holds a calibration, and tests of an ensemble have a folder of their own. "
                              "Choose another --out"});
@@ -307,11 +312,7 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
                 draws.size(), path, jobs.size());
   print_notes(recipe.notes, width);
   flush_out();
-  if (!run_jobs(jobs, args, session)) {
-    print_wrapped(width, 2, "stopped: what was finished is in {}; the same command goes on with it\n",
-                  args.out);
-    return 1;
-  }
+  if (!run_jobs(jobs, args, session)) return tell_stopped(args.out, width);
   std::vector<study::Predictions> predictions;
   for (std::size_t k = 0; k < draws.size(); ++k) predictions.push_back(predictions_of(tested, k));
   const std::vector<study::Band> bands = study::bands_of(predictions);

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/simulator.hpp"
 #include "cli/commands.hpp"
+#include "cli/progress.hpp"
 
 namespace phy::cli {
 
@@ -18,5 +20,11 @@ struct EnsembleArguments {
 /// each of them, and the envelopes that fit them. The exit code.
 int run_ensemble(const EnsembleArguments& args, const Session& session,
                  const std::vector<double>& confining = {});
+
+/// This program's own tests of draws, kept in a store of `folder`: the same command goes on with them.
+calibrate::SimulatorOptions tests_in(const std::string& folder, bool with_untrusted, const Session& session,
+                                     ProgressLine& line);
+/// After Ctrl-C; the exit code.
+int tell_stopped(const std::string& folder, int width);
 
 }  // namespace phy::cli

@@ -102,9 +102,8 @@ struct Asked {
 };
 
 void add_strengths(std::vector<DrawTests>& draws, const std::vector<Asked>& asked,
-                   const std::vector<Recipe>& recipes, std::vector<TestResult> results) {
+                   const std::vector<Recipe>& recipes, const std::vector<TestResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
-    results[i].kind = recipes[i].test.kind;  // the store does not say it
     const Property property = asked[i].tension ? Property::direct_tension : Property::confined;
     const double strength = strength_of(results[i], property);
     if (!std::isfinite(strength) || !(strength > 0.0)) continue;
