@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/exact_math.hpp"
 #include "base/quote.hpp"
 #include "base/version.hpp"
 
@@ -14,17 +14,15 @@ namespace {
 using enum Constant;
 using V = const Values&;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 // What several codes ask for beside the constants themselves.
 double none(V) { return 0.0; }  // dilation: no test of the design fits it
 double dip(V v) { return v.dip; }
-double normal_across(V v) { return -std::sin(v.dip * degree); }
-double normal_up(V v) { return std::cos(v.dip * degree); }
+double normal_across(V v) { return plane_normal(v.dip).x; }
+double normal_up(V v) { return plane_normal(v.dip).y; }
 /// Strain across the planes over that along them, under load along them.
 double nu_across(V v) { return v(nu_n) * v(E) / v(E_n); }
 /// a of Abbo & Sloan's hyperbola, whose apex lies at the mean stress c cot phi - a.
-double apex(V v) { return std::max(0.0, v(c) / std::tan(v(phi) * degree) - v(sigma_t)); }
+double apex(V v) { return std::max(0.0, v(c) / tan_degrees(v(phi)) - v(sigma_t)); }
 
 template <Constant constant>
 double of(V v) {

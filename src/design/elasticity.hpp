@@ -2,7 +2,7 @@
 //
 // A plane shows four constants: of the fifth, Poisson's ratio nu in the planes of isotropy, no test in the
 // plane speaks. It is given, or that of isotropic rock between planes, nu = nu' E/E' (Goodman's continuum,
-// theory/transverse_isotropy.hpp), which is an assumption and is told as one.
+// theory/transverse_isotropy.hpp), which is an assumption and is stated as one.
 //
 // Reading of the plane. Plane stress: E and nu of the model are those of a cylinder. Plane strain: they are
 // those of a body that cannot stretch along the strike, and its constants follow from them with nu:

@@ -119,21 +119,18 @@ Series laboratory_series(const Design& d, Property property, double stress) {
   return s;
 }
 
-/// The law with the least error of a stress that was left out draws the lines.
-const StrengthLaw* best_law(const Design& d) {
-  const StrengthLaw* best = nullptr;
+/// The law of all inclinations, which draws the lines: the joint, or the fabric that stands in for it.
+const StrengthLaw* law_of_lines(const Design& d) {
   for (const StrengthLaw& law : strength_laws())
-    if (const Pooled& p = d.part(law.part);
-        p.ok() && law.part != Part::hoek_brown && (best == nullptr || p.error < d.part(best->part).error))
-      best = &law;
-  return best;
+    if (law.part != Part::hoek_brown && d.part(law.part).ok()) return &law;
+  return nullptr;
 }
 
 Panel strength_panel(const Design& d) {
   Panel panel;
   panel.x = {.quantity = "θ", .unit = "°", .low = 0.0, .high = 90.0, .step = 15.0};
   panel.y = {.quantity = "σ_1", .unit = "MPa"};
-  const StrengthLaw* law = best_law(d);
+  const StrengthLaw* law = law_of_lines(d);
   const std::size_t n = d.tests.stresses.size();
   for (std::size_t i = 0; i < n; ++i) {
     const double stress = d.tests.stresses[i], shade = shade_of(i, n);

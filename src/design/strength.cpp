@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "base/exact_math.hpp"
 #include "base/stats.hpp"
 #include "theory/angles.hpp"
 #include "theory/envelope_fit.hpp"
@@ -17,7 +17,6 @@ namespace {
 
 using enum Constant;
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double least_log_m = -4.6;  // m of 0.01
 constexpr std::size_t fewest_stresses = 3;
 constexpr double across_planes = 15.0;  // [deg] m_i is that of planes within this of across the load
@@ -99,8 +98,9 @@ std::vector<Eigen::VectorXd> starts_of(const StrengthPoints& points) {
   for (const double end : {*angles.begin(), *angles.rbegin()}) {
     const theory::Coulomb rock = coulomb_through(at_angle(points, end));
     for (const double friction : {5.0, 15.0, 25.0, 40.0}) {
-      const double mu = std::tan(friction * degree), t = weakest.theta * degree;
-      const double drive = 2.0 * std::cos(t) * (std::sin(t) - mu * std::cos(t));
+      const double mu = tan_degrees(friction);
+      const SinCos t = sin_cos_degrees(weakest.theta);
+      const double drive = 2.0 * t.cos * (t.sin - mu * t.cos);
       const double cohesion = 0.5 * (weakest.ucs - weakest.sigma_3) * drive - weakest.sigma_3 * mu;
       if (cohesion > 0.0)
         starts.push_back(vector_of({std::log(cohesion), friction, std::log(rock.cohesion), rock.friction}));

@@ -3,15 +3,14 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/specimen_checks.hpp"
 #include "base/clusters.hpp"
 
 namespace phy::events {
 
 Window window_of(const Specimen& specimen) {
   // Of the model and not of the rock: what breaks here are bonds between these grains.
-  double diameter = 0.0;
-  const std::vector<Disc>& discs = specimen.packing->discs;
-  for (const Disc& d : discs) diameter += 2.0 * d.r / static_cast<double>(discs.size());
+  const double diameter = analysis::grain_diameter(specimen);
   constexpr double E_over_G = 2.5;  // of a Poisson's ratio of 0.25
   const double density = specimen.matrix.density * (1.0 - specimen.packing->report.porosity);
   return {diameter, diameter / std::sqrt(specimen.matrix.modulus() / E_over_G / density)};

@@ -43,7 +43,7 @@ Panel frequency_panel(const SpecimenRecord& t) {
   if (!std::isfinite(b)) return panel;
   const auto n = static_cast<double>(
       std::count_if(magnitudes.begin(), magnitudes.end(), [&](double m) { return m >= from; }));
-  // From all events that are surely counted down to one, or as far as the axis reaches.
+  // From all events from the completeness on down to one, or as far as the axis reaches.
   Series line{"log N = a - b M", Mark::line, Role::theory};
   const double to = std::min(from + std::log10(n) / b, panel.x.high);
   line.points = {{from, n}, {to, n * std::pow(10.0, -b * (to - from))}};

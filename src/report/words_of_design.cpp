@@ -20,7 +20,7 @@ std::string reason(const std::string& word) {
       {"undetermined", "the tests leave a combination of the constants open"},
       {"no_plane", "no specimen slips on a plane under two confining stresses"},
       {"no_matrix", "no specimen breaks between the planes under two confining stresses"},
-      {"falling", "by the best fit the strength of planes or of rock falls with the confining stress"},
+      {"falling", "by the best fit sigma_1, on planes or in the rock, grows no faster than sigma_3"},
       {"no_common", "no two draws have a constant in common; the confining stresses may hardly differ"},
       {"planes_absent", "the model has no planes"},
       {"not_sought", "the calibration did not fit strengths, which are the recipe's"},
@@ -80,10 +80,9 @@ std::string errors(F) {
 
 std::string laboratory(F f) {
   const double mean = f.number("mean");
-  return fmt::format(
-      "The {} constants miss {} of the laboratory inside the range by {} (rms), {} too {} on average.",
-      f.names[0], counted_text(f.number("values"), "value"), percent_text(f.number("error")),
-      percent_text(std::fabs(mean)), mean < 0.0 ? "low" : "high");
+  return fmt::format("The {} constants miss {} of the laboratory by {} (rms), {} too {} on average.",
+                     f.names[0], counted_text(f.number("values"), "value"), percent_text(f.number("error")),
+                     percent_text(std::fabs(mean)), mean < 0.0 ? "low" : "high");
 }
 
 }  // namespace
