@@ -107,19 +107,20 @@ function start(words, descriptor) {
   const worker = new Worker(source);
   children.set(number, { worker, log, code: -1 });
   const encoder = new TextEncoder();
+  const say = (text) => {
+    const bytes = encoder.encode(text);
+    program.FS.write(log, bytes, 0, bytes.length);
+  };
   worker.onmessage = ({ data }) => {
     if (children.get(number).code >= 0) return;
-    if (data.printed) {
-      const bytes = encoder.encode(data.printed);
-      program.FS.write(log, bytes, 0, bytes.length);
-    }
+    if (data.printed) say(data.printed);
     data.removed?.forEach(remove);
     data.written?.forEach(put);
     if (data.ended !== undefined) end(number, data.ended);
     keepSoon();
   };
   worker.onerror = (e) => {
-    program.FS.write(log, encoder.encode(`${e.message}\n`), 0, e.message.length + 1);
+    say(`${e.message}\n`);
     end(number, 4);
   };
   const files = [];

@@ -87,8 +87,12 @@ TEST(ElasticLimit, EndsThatContradictEachOtherAreAllNamed) {
     if (q.name == "wanted") wanted.push_back(q.value);
   ASSERT_EQ(wanted.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
-    if (found[0].cells[i] == Cell{Property::nu, 0.0}) EXPECT_NEAR(wanted[i], 0.075, 5e-4);
-    if (found[0].cells[i] == Cell{Property::nu, 90.0}) EXPECT_NEAR(wanted[i], 0.300, 5e-4);
+    if (found[0].cells[i] == Cell{Property::nu, 0.0}) {
+      EXPECT_NEAR(wanted[i], 0.075, 5e-4);
+    }
+    if (found[0].cells[i] == Cell{Property::nu, 90.0}) {
+      EXPECT_NEAR(wanted[i], 0.300, 5e-4);
+    }
   }
 }
 

@@ -1,5 +1,5 @@
 // In a browser every instance of the program has files of its own in memory: nobody else can be at them. What
-// is finished gets its name at the end: that is when the page's worker is told of what has changed.
+// is finished gets its name at the end: then the page's worker learns what has changed.
 #include <emscripten.h>
 #include <fcntl.h>
 #include <sys/stat.h>
