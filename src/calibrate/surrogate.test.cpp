@@ -51,7 +51,9 @@ TEST(Surrogate, LearnsACurvedResponseThroughScatterAndKnowsHowWell) {
                many = rms(Surrogate(runs(60, 0.03, 0.0, 0)), &chi);
   EXPECT_LT(many, 0.025);
   EXPECT_LT(many, few);
+  // Too sure is as wrong as too unsure.
   EXPECT_LT(chi, 2.0);
+  EXPECT_GT(chi, 0.25);
 }
 
 // Runs of one packing share its scatter, so that more packings of as many runs tell the mean better.
@@ -65,6 +67,16 @@ TEST(Surrogate, PackingsThatAreMoreLeaveLessToChance) {
   };
   EXPECT_NEAR(left(4, 0) / left(16, 0), 2.0, 0.9);  // scatter itself is learnt anew
   EXPECT_EQ(left(4, 48), 0.0) << "coarse packings are others";
+}
+
+// A coarse packing has other grains than the fine one of the same number, and shares no scatter with it.
+TEST(Surrogate, NumbersOfCoarsePackingsTellNothingOfFineOnes) {
+  std::vector<SurrogateRun> alike = runs(24, 0.03, 0.1, 12), others = alike;
+  for (SurrogateRun& r : others)
+    if (r.coarse) r.packing += 100;
+  const Surrogate::Value a = Surrogate(alike).at(point(7, 3)), b = Surrogate(others).at(point(7, 3));
+  EXPECT_DOUBLE_EQ(a.mean, b.mean);
+  EXPECT_DOUBLE_EQ(a.variance, b.variance);
 }
 
 TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
