@@ -38,6 +38,16 @@ TEST(Discrepancy, ASmoothMissIsPredictedWhereNothingWasMeasured) {
   }
 }
 
+// A value that is left out is that of the stand-in, whose own error comes on top of a test's.
+TEST(Discrepancy, AValueLeftOutIsKnownLessWellThanATest) {
+  std::vector<StrengthResidual> missed = residuals(wave);
+  const double exact = Discrepancy(missed, 3).at(missed[3].target).variance;
+  for (const double unknown : {0.0, 1e-3, 4e-3}) {
+    missed[3].unknown = unknown;
+    EXPECT_NEAR(Discrepancy(missed, 3).of(3).variance - exact, unknown, 1e-12);
+  }
+}
+
 TEST(Discrepancy, APerfectModelIsLeftAsItIs) {
   const Discrepancy d(residuals([](double) { return 0.0; }), 3);
   EXPECT_EQ(d.of(3).mean, 0.0);
