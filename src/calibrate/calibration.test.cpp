@@ -149,6 +149,21 @@ TEST(Calibrate, ATangentIsMetByStifferContacts) {
     }
 }
 
+// Cracks take the same share of E on every packing, so that packings scatter by the same share of it.
+TEST(Calibrate, PackingsScatterInATangentByTheShareAtSmallStrain) {
+  PaperPress press;
+  press.modulus_scatter = 0.05, press.tangent = 0.8;
+  Rock tangents = rock();
+  const Calibration small_strain = calibrated(tangents, press, true);
+  tangents.E_is = ModulusReading::tangent_50;
+  const Calibration c = calibrated(tangents, press);
+  for (const Comparison& row : c.fitted) {
+    if (row.target.property != Property::E) continue;
+    const Comparison& before = *row_of(small_strain.fitted, row.target);
+    EXPECT_NEAR((row.sd / row.mean) / (before.sd / before.mean), 1.0, 0.05) << row.target.theta;
+  }
+}
+
 TEST(Calibrate, AnglesWithoutUcsAreSoftenedAsTheirNeighbours) {
   PaperPress press;
   press.tangent = 0.8;
