@@ -5,30 +5,15 @@
 
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
-#include "base/polynomial.hpp"
+#include "theory/anisotropic_roots.hpp"
 
 namespace phy::theory {
 namespace {
 
 using Complex = std::complex<double>;
 constexpr Complex imaginary{0.0, 1.0};
-/// Roots nearer than this are told apart: equal ones (an isotropic body) have another solution.
-constexpr double apart = 1e-4;
 /// Harmonics beyond this carry less than 1e-6 of the stress a tenth of a radius below the rim.
 constexpr int last_harmonic = 199;
-
-std::array<Complex, 2> roots_of(const PlaneCompliance& S) {
-  const double scale = 1.0 / S.S_xx;
-  std::array<Complex, 2> mu;
-  std::size_t n = 0;
-  for (const Complex& root : roots_of_monic(
-           {S.S_yy * scale, -2.0 * S.S_ys * scale, (2.0 * S.S_xy + S.S_ss) * scale, -2.0 * S.S_xs * scale}))
-    // Roots come in conjugate pairs; one of each spans the solution.
-    if (root.imag() > 0.0 && n < 2) mu[n++] = root;
-  PHY_CHECK(n == 2, "an elastic body has two roots above the real axis");
-  if (std::abs(mu[0] - mu[1]) < apart) mu[0] *= 1.0 - apart, mu[1] *= 1.0 + apart;
-  return mu;
-}
 
 /// Harmonics e^inw, n odd, of the tractions -p n on the arcs |w - 90| < alpha and |w - 270| < alpha.
 struct Traction {
@@ -57,7 +42,7 @@ Eigen::Vector2cd harmonic(const std::array<Complex, 2>& mu, const std::array<Com
 }  // namespace
 
 AnisotropicDisc::AnisotropicDisc(const PressedDisc& disc)
-    : radius_(0.5 * disc.diameter), mu_(roots_of(disc.S)) {
+    : radius_(0.5 * disc.diameter), mu_(anisotropic_roots(disc.S)) {
   PHY_CHECK(disc.diameter > 0.0 && disc.alpha > 0.0 && disc.alpha < 90.0, "a disc and loaded arcs");
   const double alpha = disc.alpha * pi / 180.0, p = disc.P / (disc.diameter * std::sin(alpha));
   for (std::size_t k = 0; k < 2; ++k)
