@@ -58,8 +58,11 @@ class BodyLoop {
       slip += sums.slip;
       if constexpr (sample) add_sample(v.sample, s_strain_wall, sums.energy);
     }
-    for (std::int32_t i = v.row_load[row]; i < v.row_load[row + 1]; ++i)
-      add_to(grain_at(v.load[i]), g_fx, load<R>(v.load_force, static_cast<std::size_t>(i)));
+    for (std::int32_t i = v.row_load[row]; i < v.row_load[row + 1]; ++i) {
+      const std::size_t at = 2 * static_cast<std::size_t>(i);
+      add_to(grain_at(v.load[i]), g_fx, load<R>(v.load_force, at));
+      add_to(grain_at(v.load[i]), g_fy, load<R>(v.load_force, at + 1));
+    }
     return slip;
   }
 

@@ -4,7 +4,7 @@
 //   touch   a body pushes grains like a wall: linear law without tension, a normal of its own for every grain
 //           (a flat platen has the same everywhere, a curved jaw has not)
 //   grip    a body holds grains: chosen components of their motion are those of the body
-//   jacket  a pressure on the grains that are the surface of the sides (engine/jacket.hpp)
+//   jacket  a stress on the grains that are the surface of the sides, or of a hole (engine/jacket.hpp)
 // A body translates and does not turn. Each of its two components moves at a velocity, under a servo or in
 // balance. Force and displacement of every body are kept step by step; their product is the work in the
 // energy balance.
@@ -64,9 +64,18 @@ struct LoadAxis {
   }
 };
 
+/// The surface that a jacket presses on.
+struct Jacket {
+  enum class On { nothing, sides, hole };
+  On on = On::nothing;
+  Vec2 centre = {};     ///< of the hole, in the packing [m]
+  double radius = 0.0;  ///< of the hole when it was cut [m]
+  bool present() const { return on != On::nothing; }
+};
+
 struct Boundary {
   std::vector<BoundaryBody> bodies;
-  bool jacket = false;
+  Jacket jacket = {};
   LoadAxis axial, lateral;
 };
 
@@ -103,8 +112,8 @@ struct BodyState {
 
 /// The jacket at the end of a block.
 struct JacketState {
-  double pressure = 0.0;  ///< [Pa]
-  double swept = 0.0;     ///< area since the boundary was placed, inwards positive [m^2]
+  Vec2 stress;         ///< along x and y [Pa]
+  double swept = 0.0;  ///< area since the boundary was placed, into the rock positive [m^2]
 };
 
 }  // namespace phy::engine

@@ -69,9 +69,10 @@ template <class T>
 void BoundaryMemory<T>::adopt(const Boundary& boundary) {
   // The group's first specimen decides the geometry and the size of all buffers; later ones have to match it,
   // since one list of touches serves all lanes.
-  if (boundary.bodies.empty() && !boundary.jacket) return;
-  if (n_bodies_ > 0 || jacket_) {
-    PHY_CHECK(boundary.bodies.size() == n_bodies_ && boundary.jacket == jacket_, "lanes share one boundary");
+  if (boundary.bodies.empty() && !boundary.jacket.present()) return;
+  if (n_bodies_ > 0 || jacket_.present()) {
+    PHY_CHECK(boundary.bodies.size() == n_bodies_ && boundary.jacket.on == jacket_.on,
+              "lanes share one boundary");
     return;
   }
   jacket_ = boundary.jacket;
@@ -164,11 +165,11 @@ void BoundaryMemory<T>::add_work(std::size_t l, double& work) {
       state.mean_force = state.mean_force + (1.0 / static_cast<double>(n_steps_)) * force;
     }
   }
-  // Heights and pressure do not change within a block, so this part of the work is exact (jacket.hpp).
-  if (!jacket_ || !lane.placed) return;
-  const double swept = area_swept(l) - lane.swept_from;
-  work += lane.pressure * swept;
-  lane.swept += swept;
+  // Areas and stress do not change within a block, so this part of the work is exact (jacket.hpp).
+  if (!jacket_.present() || !lane.placed) return;
+  const Vec2 swept = area_swept(l) - lane.swept_from;
+  work += dot(lane.stress, swept);
+  lane.swept += swept.x + swept.y;
 }
 
 template <class T>

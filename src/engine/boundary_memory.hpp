@@ -27,10 +27,10 @@ struct LaneBoundary {
   // Of the lane: for the way on which the jacket pushes a free grain.
   double damping = 0.0, density = 1.0, dt = 0.0;
   std::vector<BodyMotion> bodies;
-  double pressure = 0.0;        // of the jacket [Pa]
-  double swept = 0.0;           // area that it has swept since it was placed [m^2]
-  std::vector<double> pressed;  // height of each sorted grain that it presses on, as it fits [m]
-  double swept_from = 0.0;      // sum of height times displacement, when it was fitted [m^2]
+  Vec2 stress;                // of the jacket along x and y [Pa]
+  double swept = 0.0;         // area that it has swept since it was placed [m^2]
+  std::vector<Vec2> pressed;  // area of each sorted grain that it presses on, as it fits [m]
+  Vec2 swept_from;            // sum of area times displacement, when it was fitted [m^2]
 };
 
 template <class T>
@@ -90,7 +90,7 @@ class BoundaryMemory {
   std::size_t W_, n_steps_;
   std::vector<LaneBoundary> lanes_;
   std::size_t n_bodies_ = 0;
-  bool jacket_ = false;
+  Jacket jacket_;
   std::vector<Vec2> touch_normal_;          // per body and sorted grain; zero: never touched
   Buffer<T> touch_gap_, touch_shear_;       // per body, grain and lane
   Buffer<T> body_u_, body_v_, body_force_;  // per step, body, component and lane
@@ -120,7 +120,8 @@ class BoundaryMemory {
   void plan_balance();
   void plan_lane(std::size_t l);
   double pushed_way(std::size_t grain, std::size_t l) const;
-  double area_swept(std::size_t l) const;
+  Vec2 pressing(std::size_t grain, std::size_t l) const;
+  Vec2 area_swept(std::size_t l) const;
   bool fit_jacket(std::size_t l, NeighbourList<T>& list);
   void list_loads();
 };

@@ -61,7 +61,7 @@ class Group final : public LaneGroup {
   void prescribe(int lane, int body, const PrescribedMotion& prescribed) override {
     boundary_.prescribe(index(lane), static_cast<std::size_t>(body), prescribed);
   }
-  void press(int lane, double pressure) override { boundary_.lane(index(lane)).pressure = pressure; }
+  void press(int lane, Vec2 stress) override { boundary_.lane(index(lane)).stress = stress; }
   void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) override;
   void pre_strain(int lane, double axial_strain) override;
   bool at_strength(int lane) const override;
@@ -74,7 +74,7 @@ class Group final : public LaneGroup {
   }
   JacketState jacket(int lane) const override {
     const LaneBoundary& edge = boundary_.lane(index(lane));
-    return {edge.pressure, edge.swept};
+    return {edge.stress, edge.swept};
   }
   const LaneHealth& health(int lane) const override { return at(lane).health; }
   std::vector<Breakage>& cracks(int lane) override { return at(lane).cracks; }

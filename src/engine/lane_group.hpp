@@ -72,8 +72,8 @@ class LaneGroup {
   virtual void forbid_breakage(int lane, bool forbid) = 0;
   /// How a body moves from now on.
   virtual void prescribe(int lane, int body, const PrescribedMotion& prescribed) = 0;
-  /// Pressure of the jacket from now on [Pa].
-  virtual void press(int lane, double pressure) = 0;
+  /// Stress of the jacket on its surface from now on, along x and y; compression positive [Pa].
+  virtual void press(int lane, Vec2 stress) = 0;
   /// Gives all grains a velocity [m/s] by their place; its energy enters the balance as work.
   virtual void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) = 0;
   /// Sets the affine pre-strain along the boundary's axial axis (y), boundary in place.

@@ -151,7 +151,7 @@ struct GroupView {
   const TouchPoint<T>* touch = nullptr;
   const GripPoint* grip = nullptr;
   const std::int32_t* load = nullptr;  ///< grains that the jacket presses in some lane, sorted
-  const T* load_force = nullptr;       ///< on each of them along x, a lane vector
+  const T* load_force = nullptr;       ///< on each of them along x, then y, lane vectors
   const T* touch_gap = nullptr;        ///< per body and grain: closure needed before the body acts
   T* touch_shear = nullptr;            ///< per body and grain: shear force
   T* body_u = nullptr;                 ///< per step, body, component: displacement

@@ -247,6 +247,9 @@ std::string crack_header(TestKind kind) {
          ",grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],energy [J/m]";
 }
 
+constexpr const char* wall_header =
+    "moment,angle [deg],borne_stress [Pa],hoop [Pa],radial [Pa],shear [Pa],inwards [m],breakout [m]";
+
 /// A moment of a slice of rock is one per metre of its thickness: N m / m.
 std::string event_header(TestKind kind) {
   return "time [s]," + heading(kind->loading_column()) +
@@ -305,6 +308,17 @@ std::string events_csv(const std::vector<AcousticEvent>& events, TestKind kind) 
   return text;
 }
 
+std::string wall_csv(const std::vector<WallPoint>& wall) {
+  std::string text = std::string(wall_header) + "\n";
+  for (const WallPoint& p : wall) {
+    text += std::string(to_string(p.moment));
+    for (const double v : {p.angle, p.borne_stress, p.hoop, p.radial, p.shear, p.inwards, p.breakout})
+      text += "," + print_number(v);
+    text += "\n";
+  }
+  return text;
+}
+
 History parse_history(std::string_view text, const std::string& where) {
   History history;
   const std::string_view header = text.substr(0, text.find('\n'));
@@ -354,6 +368,23 @@ std::vector<AcousticEvent> parse_events(std::string_view text, const std::string
     return ok && line.empty();
   });
   return events;
+}
+
+std::vector<WallPoint> parse_wall(std::string_view text, const std::string& where) {
+  std::vector<WallPoint> wall;
+  each_line(text, where, wall_header, [&](std::string_view line) {
+    WallPoint p;
+    const std::string_view word = take_word(line);
+    const auto* moment = std::find_if(std::begin(all_wall_moments), std::end(all_wall_moments),
+                                      [&](WallMoment m) { return word == to_string(m); });
+    bool ok = moment != std::end(all_wall_moments);
+    if (ok) p.moment = *moment;
+    for (double* v : {&p.angle, &p.borne_stress, &p.hoop, &p.radial, &p.shear, &p.inwards, &p.breakout})
+      ok = ok && take_number(line, *v);
+    wall.push_back(p);
+    return ok && line.empty();
+  });
+  return wall;
 }
 
 }  // namespace phy::io

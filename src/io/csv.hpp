@@ -1,5 +1,5 @@
 // Tables as CSV (docs/formats.md): packings in and out, for other programs and from them; histories,
-// cracks and acoustic events.
+// cracks, acoustic events, the wall of an opening.
 #pragma once
 #include <string>
 #include <string_view>
@@ -32,10 +32,12 @@ std::string contacts_csv(const Specimen& specimen);
 std::string history_csv(const History& history);
 std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind);
 std::string events_csv(const std::vector<AcousticEvent>& events, TestKind kind);
-/// Read what the three above have written, to the same bits (width and height of a history are not in the
+std::string wall_csv(const std::vector<WallPoint>& wall);
+/// Read what the four above have written, to the same bits (width and height of a history are not in the
 /// table). Throw IoError with the line that does not fit.
 History parse_history(std::string_view text, const std::string& where);
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where);
 std::vector<AcousticEvent> parse_events(std::string_view text, const std::string& where);
+std::vector<WallPoint> parse_wall(std::string_view text, const std::string& where);
 
 }  // namespace phy::io

@@ -113,6 +113,21 @@ TEST(EventFiles, ReadBackWhatIsWritten) {
   EXPECT_THROW(parse_events(loud, "e.csv"), IoError);
 }
 
+TEST(WallFiles, ReadBackWhatIsWritten) {
+  const WallPoint standing{WallMoment::standing, 10.0, 2e7 / 3.0, 4e7, 1e6, -2e5, 1e-5, 0.0};
+  const WallPoint end{WallMoment::end, 20.0, 3e7, std::nan(""), 0.0, 0.0, 1e-4, 2e-3};
+  const std::string text = wall_csv({standing, end});
+  const std::vector<WallPoint> back = parse_wall(text, "w.csv");
+  ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(wall_csv(back), text);
+  EXPECT_EQ(back[0].borne_stress, standing.borne_stress);
+  EXPECT_EQ(back[1].moment, WallMoment::end);
+  EXPECT_TRUE(std::isnan(back[1].hoop));
+  std::string other = text;
+  other.replace(other.find("standing"), 8, "stand in");
+  EXPECT_THROW(parse_wall(other, "w.csv"), IoError);
+}
+
 TEST(CrackFiles, AHeadOfNoTestIsRefused) {
   EXPECT_THROW(parse_cracks("step [1],time [s],shear_displacement [1]\n", "c.csv"), IoError);
 }

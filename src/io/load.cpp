@@ -193,6 +193,8 @@ SpecimenRecord read_result(const std::string& folder) {
   record.result.cracks = parse_cracks(read_written(path("cracks.csv")), path("cracks.csv"));
   if (fs::exists(path("events.csv")))
     record.result.events = parse_events(read_written(path("events.csv")), path("events.csv"));
+  if (fs::exists(path("opening.csv")))
+    record.result.wall = parse_wall(read_written(path("opening.csv")), path("opening.csv"));
   // Not read, as result.json has the recipe, but people do: it must say what was run.
   if (fs::exists(path("recipe.toml"))) read_written(path("recipe.toml"));
   // It is only a picture: whoever removes it to save room keeps the numbers.

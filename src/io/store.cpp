@@ -239,6 +239,7 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
   place.add("history.csv", history_csv(result.history));
   place.add("cracks.csv", cracks_csv(result.cracks, result.history.kind));
   if (recipe.test.events) place.add("events.csv", events_csv(result.events, result.history.kind));
+  if (!result.wall.empty()) place.add("opening.csv", wall_csv(result.wall));
   add_snapshots(place, recipe, *specimen.packing, result);
   const SpecimenRecord record = record_of(recipe, version, specimen, result);
   place.add("scene.bin", pack_scene(record.scene, result.history.kind));

@@ -80,6 +80,8 @@ class Procedure {
   /// Sets the bodies in motion: at the start of loading, and where the approach ends.
   virtual void prescribe_motion() = 0;
   virtual double max_strain() const { return recipe_.test.max_strain; }
+  /// After each row of the history: how the test goes on. True when it is over.
+  virtual bool after_row() { return false; }
   /// What the history of this test holds beyond strain and stress of its bodies (which `row` has already).
   virtual void read_more(HistoryRow& /*row*/) {}
   /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.

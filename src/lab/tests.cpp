@@ -7,6 +7,7 @@
 #include "lab/brazilian/brazilian.hpp"
 #include "lab/direct_shear/direct_shear.hpp"
 #include "lab/direct_tension/direct_tension.hpp"
+#include "lab/opening/opening.hpp"
 #include "lab/semi_circular_bend/semi_circular_bend.hpp"
 #include "lab/uniaxial/uniaxial.hpp"
 
@@ -16,7 +17,8 @@ namespace {
 /// In the order of `phyllite recipe --explain`.
 const auto& rooms() {
   static const std::array all = {&uniaxial_room(), &direct_tension_room(), &brazilian_room(),
-                                 &biaxial_room(),  &direct_shear_room(),   &semi_circular_bend_room()};
+                                 &biaxial_room(),  &direct_shear_room(),   &semi_circular_bend_room(),
+                                 &opening_room()};
   return all;
 }
 

@@ -183,12 +183,15 @@ struct TestRecipe {
   double jaw_friction = 0.3;      ///< Brazilian: between disc and jaws
   double confining_stress = 0.0;  ///< [Pa] biaxial
   Confinement confinement = Confinement::walls;
-  double normal_stress = 0.0;     ///< [Pa] direct shear
-  double normal_stiffness = 0.0;  ///< [Pa/m] direct shear; 0: constant normal load
-  double shear_gap = 0.0;         ///< [m] direct shear: free rock between the boxes; 0: rigid halves
-  double notch_ratio = 0.5;       ///< semi-circular bend: length of the notch over the radius, a/R
-  double notch_width = 0.0;       ///< [m] semi-circular bend; 0: the largest grain diameter
-  double span_ratio = 0.8;        ///< semi-circular bend: span of the supports over the diameter, s/(2R)
+  double normal_stress = 0.0;      ///< [Pa] direct shear
+  double normal_stiffness = 0.0;   ///< [Pa/m] direct shear; 0: constant normal load
+  double shear_gap = 0.0;          ///< [m] direct shear: free rock between the boxes; 0: rigid halves
+  double notch_ratio = 0.5;        ///< semi-circular bend: length of the notch over the radius, a/R
+  double notch_width = 0.0;        ///< [m] semi-circular bend; 0: the largest grain diameter
+  double vertical_stress = 0.0;    ///< [Pa] opening: far field
+  double horizontal_stress = 0.0;  ///< [Pa] opening: far field
+  double internal_pressure = 0.0;  ///< [Pa] opening: on its wall, once excavated
+  double span_ratio = 0.8;         ///< semi-circular bend: span of the supports over the diameter, s/(2R)
 };
 
 struct EngineRecipe {

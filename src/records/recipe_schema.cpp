@@ -316,6 +316,25 @@ void add_bend(Fields& fields) {
       .test = bend;
 }
 
+/// Of an opening under stress.
+void add_opening(Fields& fields) {
+  Table t(fields, "test", test_of);
+  using T = TestRecipe;
+  const char* const opening = "opening";
+  t.quantity("vertical_stress", {0, 1e10, Dimension::pressure}, "", "opening: vertical far-field stress",
+             &T::vertical_stress)
+      .of_tests({opening})
+      .test = opening;
+  t.quantity("horizontal_stress", {0, 1e10, Dimension::pressure}, "", "opening: horizontal far-field stress",
+             &T::horizontal_stress)
+      .of_tests({opening})
+      .test = opening;
+  t.quantity("internal_pressure", {0, 1e10, Dimension::pressure}, "",
+             "opening: pressure on its wall, of mud or of a support", &T::internal_pressure)
+      .of_tests({opening})
+      .test = opening;
+}
+
 std::vector<std::string> names_of_tests() {
   std::vector<std::string> names;
   for (const TestDescription* test : laboratory_tests()) names.emplace_back(test->name);
@@ -406,6 +425,7 @@ void add_test(Fields& fields) {
              "direct_shear: free rock between the two boxes; 0: rigid halves", &T::shear_gap)
       .of_tests({"direct_shear"});
   add_bend(fields);
+  add_opening(fields);
 }
 
 void add_engine(Fields& fields) {

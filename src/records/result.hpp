@@ -12,6 +12,7 @@
 #include "records/acoustic_event.hpp"
 #include "records/recipe.hpp"
 #include "records/specimen.hpp"
+#include "records/wall_point.hpp"
 
 namespace phy {
 
@@ -56,6 +57,9 @@ struct HistoryRow {
   double unbalanced = 0.0;     ///< mean unbalanced grain force / mean contact force
   double load = 0.0;           ///< mean force of the loading and the supporting tools [N/m]
   double mouth_opening = 0.0;  ///< of a notch, since loading began [m]
+  double excavated = 0.0;      ///< of an opening: share of the traction on its wall that is taken away
+  double closure = 0.0;        ///< of an opening: mean displacement of its wall inwards / radius
+  double borne_stress = 0.0;   ///< by an opening: vertical stress times the share excavated [Pa]
 };
 
 struct History {
@@ -157,6 +161,7 @@ struct TestResult {
   History history;
   std::vector<CrackEvent> cracks;     ///< ordered by (step, a, b)
   std::vector<AcousticEvent> events;  ///< ordered by time; empty where the recipe asks for none
+  std::vector<WallPoint> wall;        ///< of an opening, by moment and angle; empty of other tests
   std::vector<Snapshot> snapshots;    ///< the last one is the final state
   std::vector<Frame> frames;          ///< more of them, displacements only
   double dt = 0.0;                    ///< [s] at the start

@@ -13,6 +13,7 @@
 #include "base/text_table.hpp"
 #include "report/calibration_figures.hpp"
 #include "report/gnuplot_figure.hpp"
+#include "report/opening_figures.hpp"
 #include "report/run_figures.hpp"
 #include "report/specimen_figures.hpp"
 #include "report/terminal_plot.hpp"
@@ -55,6 +56,13 @@ Figure with_events(Figure figure) {
 Figure events_of_run(const FigureData& data) { return with_events(events_figure(data.run, data.counts)); }
 Figure event_places(const FigureData& data) { return with_events(event_places_figure(data.run)); }
 
+Figure openings(const FigureData& data) {
+  Figure figure = opening_figure(data.run);
+  if (!figure.panels.empty()) return figure;
+  throw InputError(Problem{"result", "opening.csv", "", "openings under stress",
+                           "run a recipe with kind = \"opening\" in [test]"});
+}
+
 template <Figure (*make)(const RunRecord&)>
 Figure of_run(const FigureData& data) {
   return make(data.run);
@@ -83,6 +91,8 @@ const std::vector<FigureKind>& figure_kinds() {
        events_of_run},
       {"event_places", "", "where the acoustic events of a run were, by source and magnitude", 190.0, false,
        event_places},
+      {"opening", "", "openings of a run: stress over closure, hoop stress and breakout around them", 190.0,
+       false, openings},
       // No `make`: pictures of discs are pixels and go their own way.
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false, nullptr,
        draw_cracks},

@@ -17,6 +17,7 @@
 #include "report/event_figures.hpp"
 #include "report/figure_json.hpp"
 #include "report/methods.hpp"
+#include "report/opening_figures.hpp"
 #include "report/palette.hpp"
 #include "report/run_figures.hpp"
 #include "report/specimen_picture.hpp"
@@ -105,6 +106,7 @@ Json figures_json(const RunRecord& run, const PageExtras& extras) {
   j["rose"] = figure_json(rose_figure(run));
   j["events"] = figure_json(events_figure(run, {}));
   j["event_places"] = figure_json(event_places_figure(run));
+  j["opening"] = figure_json(opening_figure(run));
   return j;
 }
 

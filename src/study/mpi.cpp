@@ -94,7 +94,7 @@ std::vector<Row> rows_of(const json& packed) {
   return rows;
 }
 
-/// Numbers, history, cracks, acoustic events, pictures.
+/// Numbers, history, cracks, acoustic events, wall of an opening, pictures.
 json packed(const TestResult& r) {
   json numbers = json::array(), snapshots = json::array(), frames = json::array();
   for (const Number& n : r.numbers)
@@ -112,6 +112,7 @@ json packed(const TestResult& r) {
           {"history", {r.history.width, r.history.height, packed(r.history.rows)}},
           {"cracks", packed(r.cracks)},
           {"events", packed(r.events)},
+          {"wall", packed(r.wall)},
           {"snapshots", snapshots},
           {"frames", frames},
           {"dt", r.dt},
@@ -131,6 +132,7 @@ TestResult unpacked(const json& j) {
                rows_of<HistoryRow>(history[2])};
   r.cracks = rows_of<CrackEvent>(j["cracks"]);
   r.events = rows_of<AcousticEvent>(j["events"]);
+  r.wall = rows_of<WallPoint>(j["wall"]);
   for (const json& s : j["snapshots"])
     r.snapshots.push_back({s[0], s[1], s[2], rows_of<GrainState>(s[3]), rows_of<ContactState>(s[4])});
   for (const json& f : j["frames"])

@@ -156,6 +156,7 @@ export interface Figures {
   rose: Figure;
   events: Figure; // acoustic; no panels where the recipe does not ask for them
   event_places: Figure;
+  opening: Figure; // no panels where nothing was excavated
 }
 
 interface RawReport {

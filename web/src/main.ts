@@ -427,6 +427,18 @@ function events() {
   );
 }
 
+function openings() {
+  const { opening } = report.figures;
+  if (opening.panels.length === 0) return;
+  section(
+    "opening",
+    "Opening",
+    h("p", { class: "muted" }, "The hoop stress is a mean over a ring behind the wall. A breakout is rock that no bond holds on the rest; directions are from the horizontal, anticlockwise."),
+    legend(opening.panels),
+    grid(opening),
+  );
+}
+
 // --- tables --------------------------------------------------------------------------------------------------
 
 /** What the table on a terminal has, too: "<" and "*" as there. */
@@ -766,6 +778,7 @@ function start() {
     if (!report.calibration) anisotropy(); // of a calibration: above, over all packings
     roses();
     events();
+    openings();
     tables();
   } else values();
   texts();

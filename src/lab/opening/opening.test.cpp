@@ -1,0 +1,98 @@
+// The room of an opening under stress: the elastic block against Kirsch, relaxation, breakout and collapse.
+#include "lab/opening/opening.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lab/procedure_fixture.hpp"
+
+namespace phy::lab {
+namespace {
+
+/// A square block of 24 mm with a hole of 8 mm: six mean grain diameters in the radius.
+Recipe block(double vertical, double horizontal) {
+  Recipe r;
+  r.specimen = {0.024, 0.024};
+  r.specimen.hole_diameter = 0.008;
+  r.packing.n_grains = 1500;
+  r.test.kind = TestKind("opening");
+  r.test.vertical_stress = vertical, r.test.horizontal_stress = horizontal;
+  r.test.platen_speed = 0.05, r.test.history_interval = 50;
+  return r;
+}
+
+double mean_of(const TestResult& r, double WallPoint::*value) {
+  double sum = 0.0, n = 0.0;
+  for (const WallPoint& p : r.wall)
+    if (p.moment == WallMoment::standing) sum += p.*value, n += 1.0;
+  return sum / n;
+}
+
+// A pressure as high as the stress of the rock takes nothing away: there is no closure, and the rock behind
+// the wall has the stress of the far field all round.
+TEST(Opening, FullySupportedDoesNotMove) {
+  Recipe r = block(20e6, 20e6);
+  r.matrix.unbreakable = true;
+  const TestResult bare = run_alone(r);
+  r.test.internal_pressure = 20e6;
+  const TestResult held = run_alone(r);
+  ASSERT_EQ(held.outcome.reason, "nothing can break: the opening stands");
+  EXPECT_LT(std::fabs(number(held, "closure").value), 0.02 * number(bare, "closure").value);
+  EXPECT_NEAR(mean_of(held, &WallPoint::hoop) / 20e6, 1.0, 0.05);
+  EXPECT_NEAR(mean_of(held, &WallPoint::radial) / 20e6, 1.0, 0.05);
+  EXPECT_LT(number(bare, "energy_error").value, 1e-3);
+}
+
+// In proportion: the same rock under twice the stress closes by twice as much.
+TEST(Opening, OfElasticRockIsLinear) {
+  Recipe r = block(10e6, 5e6);
+  r.matrix.unbreakable = true;
+  const TestResult one = run_alone(r);
+  r.test.vertical_stress *= 2.0, r.test.horizontal_stress *= 2.0;
+  const TestResult two = run_alone(r);
+  for (const char* name : {"closure", "hoop_max", "hoop_min"})
+    EXPECT_NEAR(number(two, name).value / number(one, name).value, 2.0, 0.02) << name;
+  // Most at the ends of the horizontal diameter, least where the larger stress comes from.
+  EXPECT_NEAR(std::cos(2.0 * number(one, "hoop_max_direction").value * pi / 180.0), 1.0, 0.3);
+  EXPECT_NEAR(std::cos(2.0 * number(one, "hoop_min_direction").value * pi / 180.0), -1.0, 0.3);
+}
+
+// Rock that bears its stress breaks when it is raised: where the hoop stress is largest.
+TEST(Opening, CollapsesWhenTheStressIsRaised) {
+  Recipe r = block(20e6, 10e6);
+  const TestResult t = run_alone(r);
+  ASSERT_EQ(t.outcome.status, Status::peaked) << t.outcome.reason;
+  EXPECT_GT(number(t, "collapse_factor").value, 1.0);
+  EXPECT_NEAR(number(t, "collapse_stress").value, 20e6 * number(t, "collapse_factor").value, 1.0);
+  EXPECT_EQ(number(t, "breakout_depth").value, 0.0) << "it stood";
+  EXPECT_GT(number(t, "breakout_depth_at_end").value, 0.0);
+  EXPECT_LT(number(t, "energy_error").value, 1e-3);
+  double most = 0.0;
+  for (const HistoryRow& row : t.history.rows) {
+    EXPECT_GE(row.excavated, most) << "what is taken away stays away";
+    most = row.excavated;
+    if (row.excavated == 1.0 && row.borne_stress > 1.02 * 20e6)
+      EXPECT_NEAR(row.lateral_stress / row.axial_stress, 0.5, 0.02) << row.axial_strain;
+  }
+  EXPECT_EQ(most, 1.0);
+}
+
+// Weak rock closes before all of it is excavated, and says at which share.
+TEST(Opening, OfWeakRockCollapsesWhileItIsExcavated) {
+  Recipe r = block(20e6, 20e6);
+  r.matrix.sigma_c = r.matrix.tau_c = 6e6, r.matrix.sigma_c_sd = r.matrix.tau_c_sd = 0.6e6;
+  r.matrix.mu = 0.1;
+  const TestResult t = run_alone(r);
+  ASSERT_EQ(t.outcome.status, Status::peaked) << t.outcome.reason;
+  EXPECT_LT(number(t, "collapse_factor").value, 1.0) << t.outcome.reason;
+  EXPECT_NE(t.outcome.reason.find("of it was excavated"), std::string::npos) << t.outcome.reason;
+  EXPECT_TRUE(std::isnan(number(t, "closure").value));
+  EXPECT_EQ(number(t, "closure").note, "it did not stand");
+  // With a support it stands.
+  r.test.internal_pressure = 12e6;
+  EXPECT_TRUE(std::isfinite(number(run_alone(r), "closure").value));
+}
+
+}  // namespace
+}  // namespace phy::lab
