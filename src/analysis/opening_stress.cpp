@@ -25,16 +25,18 @@ Vec2 displacement(const Snapshot& shot, std::size_t grain) {
 /// The sector, or ray, whose middle is nearest to a direction.
 std::size_t sector_of(Vec2 direction, std::size_t n) {
   const double turns = std::atan2(direction.y, direction.x) / (2.0 * pi) + 1.0;
+  // A turn more, so that nothing is negative before it is taken modulo.
   return static_cast<std::size_t>(std::floor(turns * static_cast<double>(n) + 0.5)) % n;
 }
 
 /// Sum of F_i dl_j / r over the branch from a to b, its places from the centre.
-void add_branch(Vec2 a, Vec2 b, Vec2 force, double inner, double outer, std::vector<SectorStress>& sums) {
+void add_branch(Vec2 a, Vec2 b, Vec2 force, const Ring& ring, std::vector<SectorStress>& sums) {
   const Vec2 piece = (1.0 / n_pieces) * (b - a);
   for (int k = 0; k < n_pieces; ++k) {
     const Vec2 at = a + (k + 0.5) * piece;
     const double r = norm(at);
-    if (r < inner || r > outer) continue;
+    // A branch may leave the ring on either side, and by its middle only.
+    if (r < ring.inner || r > ring.outer) continue;
     const Vec2 radial = (1.0 / r) * at, hoop = tangent(radial);
     SectorStress& s = sums[sector_of(at, sums.size())];
     s.radial += dot(force, radial) * dot(piece, radial) / r;
@@ -75,6 +77,7 @@ class Rays {
       const Vec2 ray{a.cos, a.sin};
       const double across = cross(ray, x), along = dot(ray, x);
       if (std::fabs(across) >= r) continue;
+      // Where it enters and leaves the grain; one behind the centre is another ray's.
       const double chord = std::sqrt(r * r - across * across);
       if (along + chord > 0.0) way_[k] = std::min(way_[k], std::max(0.0, along - chord));
     }
@@ -87,24 +90,25 @@ class Rays {
 
 }  // namespace
 
-std::vector<SectorStress> stress_around(const Packing& packing, const Snapshot& snapshot, Vec2 centre,
-                                        double inner, double outer, int n_sectors) {
-  PHY_CHECK(n_sectors >= 1 && inner > 0.0 && outer > inner, "sectors of a ring");
+std::vector<SectorStress> stress_around(const Packing& packing, const Snapshot& snapshot, const Ring& ring,
+                                        int n_sectors) {
+  PHY_CHECK(n_sectors >= 1 && ring.inner > 0.0 && ring.outer > ring.inner, "sectors of a ring");
   std::vector<SectorStress> sectors(static_cast<std::size_t>(n_sectors));
   for (const ContactState& c : snapshot.contacts) {
     const auto place = [&](std::uint32_t g) {
-      return start_of(packing, g) + displacement(snapshot, g) - centre;
+      return start_of(packing, g) + displacement(snapshot, g) - ring.centre;
     };
     const Vec2 a = place(c.a), b = place(c.b);
-    const double reach = norm(b - a), nearest = std::min(norm(a), norm(b)) - reach;
-    if (nearest > outer || std::max(norm(a), norm(b)) < inner) continue;
-    add_branch(a, b, c.F_n * c.normal + c.F_s * tangent(c.normal), inner, outer, sectors);
+    // Most contacts are far away; only the others are worth their pieces.
+    if (std::min(norm(a), norm(b)) - norm(b - a) > ring.outer || std::max(norm(a), norm(b)) < ring.inner)
+      continue;
+    add_branch(a, b, c.F_n * c.normal + c.F_s * tangent(c.normal), ring, sectors);
   }
   const double w = 2.0 * pi / n_sectors;
   for (std::size_t k = 0; k < sectors.size(); ++k) {
     SectorStress& s = sectors[k];
     s.angle = 360.0 * static_cast<double>(k) / n_sectors;
-    for (double* sum : {&s.radial, &s.hoop, &s.shear}) *sum /= w * (outer - inner);
+    for (double* sum : {&s.radial, &s.hoop, &s.shear}) *sum /= w * (ring.outer - ring.inner);
   }
   return sectors;
 }
@@ -179,6 +183,7 @@ Breakout breakout_of(std::span<const double> depths, double least) {
     sum = sum + weight * Vec2{twice.cos, twice.sin}, weights += weight;
   }
   b.direction = 0.5 * degrees * std::atan2(sum.y, sum.x);
+  // An axis has no sense: the upper end names it.
   if (b.direction < 0.0) b.direction += 180.0;
   b.clarity = norm(sum) / weights;
   for (std::size_t k = 0; k < depths.size(); ++k)

@@ -40,9 +40,13 @@ struct SectorStress {
   double radial = 0.0, hoop = 0.0, shear = 0.0;  ///< [Pa]
 };
 
-/// Between the radii `inner` < `outer` [m] about `centre`; n_sectors >= 1.
-std::vector<SectorStress> stress_around(const Packing& packing, const Snapshot& snapshot, Vec2 centre,
-                                        double inner, double outer, int n_sectors);
+/// Between two radii [m], 0 < inner < outer.
+struct Ring {
+  Vec2 centre;
+  double inner = 0.0, outer = 0.0;
+};
+std::vector<SectorStress> stress_around(const Packing& packing, const Snapshot& snapshot, const Ring& ring,
+                                        int n_sectors);
 
 /// The grains of the largest body that unbroken bonds and joints hold together, true per grain.
 std::vector<bool> standing_body(const Specimen& specimen, const Snapshot& snapshot);

@@ -39,12 +39,12 @@ TEST(StressAround, ChainCarriesItsForceAcrossEveryCut) {
         pushing(k, (k + 1) % n, N, direction(360.0 * (static_cast<double>(k) + 1.0) / n + 90.0)));
   // Sector k of 24 holds one link, in its middle; of 8 three.
   for (const int sectors : {n, n / 3})
-    for (const SectorStress& s : stress_around(packing, shot, {7.0, -2.0}, 0.9, 1.1, sectors)) {
+    for (const SectorStress& s : stress_around(packing, shot, {{7.0, -2.0}, 0.9, 1.1}, sectors)) {
       EXPECT_NEAR(s.hoop, N * std::sin(half) / half / 0.2, 1e-3 * N / 0.2) << s.angle;
       EXPECT_NEAR(s.shear, 0.0, 1e-12) << s.angle;
     }
   // Nothing is in another ring.
-  for (const SectorStress& s : stress_around(packing, shot, {7.0, -2.0}, 0.5, 0.9, 6))
+  for (const SectorStress& s : stress_around(packing, shot, {{7.0, -2.0}, 0.5, 0.9}, 6))
     EXPECT_EQ(s.hoop, 0.0) << s.angle;
 }
 
@@ -83,7 +83,7 @@ TEST(StressAround, UniformStressIsSeenFromEverySector) {
     xx += F * n.x * n.x, yy += F * n.y * n.y, xy += F * n.x * n.y;
   }
   const double size = std::hypot(xx, yy), flat = std::sin(pi / 12.0) / (pi / 12.0);  // mean of cos 2a
-  for (const SectorStress& s : stress_around(*l.specimen.packing, l.shot, l.centre, 0.8, 1.3, 12)) {
+  for (const SectorStress& s : stress_around(*l.specimen.packing, l.shot, {l.centre, 0.8, 1.3}, 12)) {
     const SinCos two = sin_cos_degrees(2.0 * s.angle);
     const double turned = flat * (0.5 * (xx - yy) * two.cos + xy * two.sin);
     EXPECT_NEAR(s.radial, 0.5 * (xx + yy) + turned, 0.02 * size) << s.angle;
@@ -105,7 +105,7 @@ TEST(StressAround, ShearForcesCount) {
   // Both branches go up by sqrt(3) r and cancel along x: sigma_xy and sigma_yx differ, the mean is taken.
   const double scale = 2.0 * std::sqrt(3.0) * 0.01 / (2.0 * std::sqrt(3.0) * 0.01 * 0.01);
   const double yy = force.y * scale, xy = 0.5 * force.x * scale;
-  for (const SectorStress& s : stress_around(*l.specimen.packing, l.shot, l.centre, 0.2, 0.5, 4)) {
+  for (const SectorStress& s : stress_around(*l.specimen.packing, l.shot, {l.centre, 0.2, 0.5}, 4)) {
     const double flat = 2.0 / pi, sign = std::fmod(s.angle, 180.0) < 1.0 ? 1.0 : -1.0;
     EXPECT_NEAR(s.hoop, 0.5 * yy * (1.0 + sign * flat), 0.05 * std::fabs(yy)) << s.angle;
     EXPECT_NEAR(s.shear, sign * flat * xy, 0.05 * std::fabs(yy)) << s.angle;
