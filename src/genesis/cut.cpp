@@ -57,9 +57,19 @@ Packing cut_half_disc(const Packing& packing, const SpecimenCut& cut, double bon
   return half;
 }
 
+Packing cut_hole(const Packing& packing, double diameter) {
+  PHY_CHECK(diameter > 0.0, "a hole has a diameter");
+  const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
+  Packing rest = packing;
+  std::erase_if(rest.discs, [&](const Disc& d) { return norm(Vec2{d.x, d.y} - centre) < 0.5 * diameter; });
+  rest.hash = packing_hash(rest.discs);
+  return rest;
+}
+
 std::shared_ptr<const Packing> shaped(std::shared_ptr<const Packing> packing, const Recipe& recipe) {
   if (recipe.test.kind->cut == nullptr) return packing;
   const SpecimenCut cut = recipe.test.kind->cut(recipe);
+  if (cut.hole > 0.0) return std::make_shared<const Packing>(cut_hole(*packing, cut.hole));
   return std::make_shared<const Packing>(cut.half ? cut_half_disc(*packing, cut, recipe.matrix.bond_gap)
                                                   : cut_disc(*packing, cut.diameter));
 }

@@ -22,6 +22,8 @@ Packing cut_disc(const Packing& packing, double diameter);
 /// other. 0 < diameter <= width and twice the height; `bond_gap` is the matrix's.
 Packing cut_half_disc(const Packing& packing, const SpecimenCut& cut, double bond_gap);
 
+Packing cut_hole(const Packing& packing, double diameter);
+
 /// The packing in the shape that the recipe's test needs: as it is, or what is cut from it.
 std::shared_ptr<const Packing> shaped(std::shared_ptr<const Packing> packing, const Recipe& recipe);
 

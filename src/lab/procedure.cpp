@@ -245,8 +245,8 @@ bool Procedure::check_stop() {
   const bool to_the_end = test().runs_to_end;
   // Nothing fails before it has carried something and something has broken: what falls earlier is the first
   // stress wave.
-  const bool may_stop =
-      !to_the_end && peak_.stress > 0.0 && now.strain > boundary_->first_wave && row.n_cracks >= least_cracks;
+  const bool may_stop = may_peak() && !to_the_end && peak_.stress > 0.0 &&
+                        now.strain > boundary_->first_wave && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at {}, stopped at {:.0f} % of it", stress, peak_.stress * 1e-6,
@@ -472,6 +472,7 @@ TestResult Procedure::take_result() {
                      return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
                    });
   if (events_) result_.events = events_->take();
+  result_.wall = wall();
   result_.snapshots = snapshots_.take(snapshot());
   result_.frames = frames_.take(frame());
   result_.n_steps = static_cast<std::int64_t>(row_.step);

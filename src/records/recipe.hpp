@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/vec.hpp"
+
 namespace phy {
 
 enum class RadiusDistribution { by_number, by_area };  ///< radii uniform by number, or by area fraction
@@ -188,10 +190,16 @@ struct TestRecipe {
   double shear_gap = 0.0;          ///< [m] direct shear: free rock between the boxes; 0: rigid halves
   double notch_ratio = 0.5;        ///< semi-circular bend: length of the notch over the radius, a/R
   double notch_width = 0.0;        ///< [m] semi-circular bend; 0: the largest grain diameter
+  double opening_diameter = 0.0;   ///< [m] opening; 0: a fifth of the smaller side
   double vertical_stress = 0.0;    ///< [Pa] opening: far field
-  double horizontal_stress = 0.0;  ///< [Pa] opening: far field
+  double horizontal_stress = 0.0;  ///< [Pa] opening: far field; 0: as the vertical one
   double internal_pressure = 0.0;  ///< [Pa] opening: on its wall, once excavated
   double span_ratio = 0.8;         ///< semi-circular bend: span of the supports over the diameter, s/(2R)
+
+  /// Of an opening: horizontal and vertical stress far away [Pa].
+  Vec2 far_field() const {
+    return {horizontal_stress > 0.0 ? horizontal_stress : vertical_stress, vertical_stress};
+  }
 };
 
 struct EngineRecipe {

@@ -343,6 +343,13 @@ class CrossChecks {
     if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
       report_problem({"test.normal_stiffness", "test.normal_stress"}, "0 without normal_stress",
                      "give test.normal_stress, from which it grows");
+    if (const KeptStress& kept = t.kind->kept_stress; kept.needed && t.*kept.value == 0.0)
+      report_value({std::string("test.") + kept.key, "test.kind"}, "0", "above 0 for this kind of test",
+                   "give the stress at the depth of the opening");
+    if (const double hole = t.kind->cut != nullptr ? t.kind->cut(r_).hole : 0.0;
+        2.0 * hole > std::min(r_.specimen.width, r_.specimen.height))
+      report_value(with({"test.opening_diameter"}, box), length(hole), "at most half of the smaller side",
+                   "the block is to stand for rock without an end: use a larger one");
     if (t.pre_strain > 0.0 && !t.kind->may_pre_strain)
       report_problem({"test.pre_strain", "test.kind"}, "0 for this kind of test",
                      "only the uniaxial press can start loaded");

@@ -321,12 +321,16 @@ void add_opening(Fields& fields) {
   Table t(fields, "test", test_of);
   using T = TestRecipe;
   const char* const opening = "opening";
+  t.quantity("opening_diameter", {0, longest, Dimension::length}, "",
+             "opening: its diameter; 0: a fifth of the smaller side of the block", &T::opening_diameter)
+      .of_tests({opening})
+      .test = opening;
   t.quantity("vertical_stress", {0, 1e10, Dimension::pressure}, "", "opening: vertical far-field stress",
              &T::vertical_stress)
       .of_tests({opening})
       .test = opening;
-  t.quantity("horizontal_stress", {0, 1e10, Dimension::pressure}, "", "opening: horizontal far-field stress",
-             &T::horizontal_stress)
+  t.quantity("horizontal_stress", {0, 1e10, Dimension::pressure}, "",
+             "opening: horizontal far-field stress; 0: as the vertical one", &T::horizontal_stress)
       .of_tests({opening})
       .test = opening;
   t.quantity("internal_pressure", {0, 1e10, Dimension::pressure}, "",

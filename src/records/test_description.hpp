@@ -73,18 +73,20 @@ struct PeakOfValue {
 };
 
 /// What is cut from the middle of the packing: a disc, or its upper half with the flat face down, which may
-/// have a notch upwards from the middle of that face.
+/// have a notch upwards from the middle of that face. Or a hole in the middle of the whole rectangle.
 struct SpecimenCut {
-  double diameter = 0.0;  ///< [m]
+  double diameter = 0.0;  ///< [m] 0: the whole rectangle
   bool half = false;
   double notch_length = 0.0;  ///< [m] 0: no notch
   double notch_width = 0.0;   ///< [m] at least; more where grains would touch across it
+  double hole = 0.0;          ///< [m] its diameter; 0: no hole
 };
 
 /// A stress that the test keeps on the specimen's boundary, and its key in [test].
 struct KeptStress {
   const char* key = "";
   double TestRecipe::*value = nullptr;  ///< [Pa]; null: no such stress
+  bool needed = false;                  ///< without it there is no test
 };
 
 struct TestDescription {

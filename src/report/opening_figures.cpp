@@ -1,8 +1,6 @@
 #include "report/opening_figures.hpp"
 
-#include <algorithm>
-#include <cmath>
-
+#include "base/exact_math.hpp"
 #include "report/curves.hpp"
 #include "report/run_figures.hpp"
 #include "theory/opening.hpp"
@@ -40,13 +38,12 @@ Panel hoop_panel(const SpecimenRecord& t) {
   panel.series.push_back(around(t.result, WallMoment::standing, {"model", Mark::points, Role::model},
                                 [](const WallPoint& p) { return MPa * p.hoop; }));
   const TestRecipe& test = t.recipe.test;
-  const double radius = 0.5 * value_of(t, "hole_diameter"), ring = value_of(t, "hoop_distance");
+  const double radius = 0.5 * value_of(t, "hole_diameter"), r = radius + value_of(t, "hoop_distance");
   Series theory{"Kirsch, isotropic", Mark::line, Role::theory};
-  const theory::Opening opening{
-      radius, {test.horizontal_stress, test.vertical_stress, 0.0}, test.internal_pressure};
+  const Vec2 far = test.far_field();
+  const theory::Opening opening{radius, {far.x, far.y, 0.0}, test.internal_pressure};
   for (double angle = 0.0; angle <= 360.0; angle += 5.0) {
     const SinCos at = sin_cos_degrees(angle);
-    const double r = radius + ring;
     theory.points.push_back(
         {angle, MPa * theory::polar(theory::kirsch(opening, r * at.cos, r * at.sin), angle).hoop});
   }

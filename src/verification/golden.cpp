@@ -29,7 +29,7 @@ Recipe scene() {
   r.bedding[0].theta = 30.0;
   r.test.platen_speed = 0.2;
   r.test.n_snapshots = 2;
-  r.test.confining_stress = r.test.normal_stress = 5e6;
+  r.test.confining_stress = r.test.normal_stress = r.test.vertical_stress = 5e6;
   r.test.shear_gap = 0.002;
   return r;
 }

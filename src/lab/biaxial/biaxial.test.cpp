@@ -94,16 +94,15 @@ TEST(Biaxial, EachWallPressesWithItsStress) {
 TEST(Biaxial, JacketCoversTheSides) {
   const Recipe r = confined(10e6, Confinement::jacket);
   const auto packing = small_packing(r);
-  EXPECT_TRUE(confined_platens(*packing, r.test).boundary.jacket);
+  EXPECT_TRUE(confined_platens(*packing, r.test).boundary.jacket.on == engine::Jacket::On::sides);
   std::vector<Vec2> x;
   std::vector<double> radius;
   for (const Disc& d : packing->discs) x.push_back({d.x, d.y}), radius.push_back(d.r);
-  const std::vector<double> heights =
-      engine::jacket_heights(x, radius, packing->height, 0.25 * r.packing.radius_min);
+  const std::vector<Vec2> areas = engine::side_areas(x, radius, packing->height, 0.25 * r.packing.radius_min);
   double left = 0.0, right = 0.0;
-  for (std::size_t g = 0; g < heights.size(); ++g) {
-    (heights[g] > 0.0 ? left : right) += std::fabs(heights[g]);
-    if (heights[g] != 0.0) {
+  for (std::size_t g = 0; g < areas.size(); ++g) {
+    (areas[g].x > 0.0 ? left : right) += std::fabs(areas[g].x);
+    if (areas[g].x != 0.0) {
       EXPECT_LT(std::min(x[g].x, packing->width - x[g].x), 4.0 * r.packing.radius_max);
     }
   }

@@ -14,15 +14,19 @@
 
 namespace phy::lab {
 
-TestBoundary block_with_hole(const Packing& packing, double hole_diameter) {
+double opening_diameter(const Recipe& recipe) {
+  const double given = recipe.test.opening_diameter;
+  return given > 0.0 ? given : 0.2 * std::min(recipe.specimen.width, recipe.specimen.height);
+}
+
+TestBoundary block_with_hole(const Packing& packing, double diameter) {
   TestBoundary block = platens(packing);
   engine::Boundary& boundary = block.boundary;
   boundary.bodies.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
   boundary.bodies.push_back(flat_wall(packing, "right wall", {packing.width, 0.0}, {-1.0, 0.0}, false));
   boundary.lateral = {2, 3, {1.0, 0.0}};
   block.lateral = {packing.width, packing.height};
-  boundary.jacket = {
-      engine::Jacket::On::hole, {0.5 * packing.width, 0.5 * packing.height}, 0.5 * hole_diameter};
+  boundary.jacket = {engine::Jacket::On::hole, {0.5 * packing.width, 0.5 * packing.height}, 0.5 * diameter};
   return block;
 }
 
@@ -44,6 +48,8 @@ class OpeningTest final : public Procedure {
   void prescribe_motion() override;
   void read_more(HistoryRow& row) override;
   bool after_row() override;
+  bool may_peak() const override { return stage_ == Stage::raising; }
+  std::vector<WallPoint> wall() const override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
   /// The four walls press with these stresses, along x and y [Pa].
@@ -56,7 +62,7 @@ class OpeningTest final : public Procedure {
   double time_of_ramp() const;
   double block_time() const { return static_cast<double>(recipe_.test.history_interval) * result_.dt; }
 
-  const Vec2 far_{recipe_.test.horizontal_stress, recipe_.test.vertical_stress};
+  const Vec2 far_ = recipe_.test.far_field();
   const analysis::OpeningPlace place_{boundary().jacket.centre, boundary().jacket.radius};
   Stage stage_ = Stage::excavating;
   double excavated_ = 0.0;  // share of the traction on the wall of the hole that is taken away
@@ -163,6 +169,14 @@ bool OpeningTest::after_row() {
   return false;
 }
 
+std::vector<WallPoint> OpeningTest::wall() const {
+  std::vector<WallPoint> points;
+  if (standing_) points = standing_->points;
+  const OpeningState end = state(WallMoment::end);
+  points.insert(points.end(), end.points.begin(), end.points.end());
+  return points;
+}
+
 std::vector<Number> OpeningTest::numbers(const analysis::WavePath& /*no modulus is read*/) const {
   const OpeningReading read{far_.y, place_.radius, standing_, state(WallMoment::end)};
   return opening_numbers(result_.history, result_.cracks, read, analysis::grain_diameter(*specimen_));
@@ -175,8 +189,8 @@ std::string loading_text_of(const Recipe& r) {
       "Four rigid walls without friction brought up a vertical stress of {} and a horizontal stress of {}. "
       "The opening of {} in the middle was then excavated by relaxation, {}. Afterwards bottom and top "
       "approached at {}, the ratio of the stresses being kept, until it collapsed.",
-      stress(t.vertical_stress), stress(t.horizontal_stress),
-      print_quantity(r.specimen.hole_diameter, Dimension::length),
+      stress(t.vertical_stress), stress(t.far_field().x),
+      print_quantity(opening_diameter(r), Dimension::length),
       t.internal_pressure > 0.0 ? "down to an internal pressure of " + stress(t.internal_pressure)
                                 : std::string("without internal pressure"),
       speed_text(t));
@@ -212,8 +226,9 @@ TestDescription description() {
       {"collapse", "MPa", "collapse_stress", 1e-6, 2},   {"collapse", "factor", "collapse_factor", 1.0, 2},
       {"closure", "% of R", "closure", 100.0, 3},        {"hoop max", "MPa", "hoop_max", 1e-6, 1},
       {"breakout", "depth/R", "breakout_depth", 1.0, 2}, {"breakout", "deg", "breakout_direction", 1.0, 0}};
+  d.cut = [](const Recipe& r) { return SpecimenCut{.hole = opening_diameter(r)}; };
   d.may_approach = false;  // what is read begins with the first row
-  d.kept_stress = {"vertical_stress", &TestRecipe::vertical_stress};
+  d.kept_stress = {"vertical_stress", &TestRecipe::vertical_stress, true};
   d.loading_text = loading_text_of;
   d.load_on_box = "", d.load_on_bedding = ", from the horizontal";
   return d;
@@ -223,10 +238,8 @@ TestDescription description() {
 
 const TestRoom& opening_room() {
   static const TestRoom room = {
-      description(), [](const Recipe& r) { return "opening" + print_number(r.specimen.hole_diameter); },
-      [](const Packing& packing, const Recipe& r) {
-        return block_with_hole(packing, r.specimen.hole_diameter);
-      },
+      description(), [](const Recipe& r) { return "opening" + print_number(opening_diameter(r)); },
+      [](const Packing& packing, const Recipe& r) { return block_with_hole(packing, opening_diameter(r)); },
       begin_test<OpeningTest>};
   return room;
 }

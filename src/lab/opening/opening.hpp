@@ -1,5 +1,5 @@
 // Opening under stress: a block of rock with a circular hole, a borehole or a tunnel, under the stress of its
-// depth. The hole is that of specimen.hole_diameter, in the middle of the block.
+// depth. The hole is in the middle of the block, test.opening_diameter wide.
 //
 //   far field   four rigid walls without friction, in balance (docs/decisions/0007), bring up
 //               test.vertical_stress and test.horizontal_stress together. The wall of the hole carries the
@@ -26,7 +26,10 @@
 namespace phy::lab {
 
 /// Four walls, bottom and top (bodies 0 and 1), left and right (2, 3), and the jacket of the hole.
-TestBoundary block_with_hole(const Packing& packing, double hole_diameter);
+TestBoundary block_with_hole(const Packing& packing, double diameter);
+
+/// Of the recipe's opening [m].
+double opening_diameter(const Recipe& recipe);
 
 const TestRoom& opening_room();
 

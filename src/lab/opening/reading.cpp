@@ -62,9 +62,10 @@ OpeningState opening_state(const Specimen& specimen, const Snapshot& begin, cons
   const double grain = analysis::grain_diameter(specimen);
   OpeningState state;
   state.closure = row.closure;
-  const auto stress =
-      analysis::stress_around(*specimen.packing, now, place.centre, place.radius + hoop_ring[0] * grain,
-                              place.radius + hoop_ring[1] * grain, n_wall_sectors);
+  const auto stress = analysis::stress_around(
+      *specimen.packing, now,
+      {place.centre, place.radius + hoop_ring[0] * grain, place.radius + hoop_ring[1] * grain},
+      n_wall_sectors);
   const auto wall = analysis::wall_motion(specimen, now, place, n_wall_sectors, &begin);
   const auto depths = analysis::breakout_depths(specimen, now, place.centre, n_wall_sectors);
   const double least = 0.5 * grain;
@@ -102,9 +103,13 @@ std::vector<Number> opening_numbers(const History& history, const std::vector<Cr
                                       " when it stood", stood));
   analysis::add(out, breakout_numbers(&read.at_end.breakout, read.radius, "_at_end", " at the end", ""));
   out.push_back({"hole_diameter", 2.0 * read.radius, "m", "diameter of the opening", ""});
+  out.push_back({"hoop_distance", 0.5 * (hoop_ring[0] + hoop_ring[1]) * diameter, "m",
+                 "from the wall to the middle of the ring that the hoop stress is a mean of", ""});
   out.push_back({"grains_in_radius", read.radius / diameter, "1", "radius / mean grain diameter", ""});
   analysis::add(out, analysis::crack_initiation(branch, cracks, 0.0));
   analysis::add(out, analysis::common_numbers(own, branch, cracks, {}));
+  // What has closed needs no fall of stress behind it to be sure.
+  if (closed) std::erase_if(out, [](const Number& n) { return n.name == "peak_confirmed"; });
   return out;
 }
 
