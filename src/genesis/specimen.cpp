@@ -58,6 +58,8 @@ std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, con
   // Rock without layers is itself the intact specimen.
   if (recipe.test.intact || !layered(recipe))
     specimens.push_back(make_specimen(packing, recipe.matrix, {}, "intact"));
+  // All have the same grains and contacts.
+  check_in_one_piece(specimens.front(), recipe);
   return specimens;
 }
 

@@ -14,6 +14,8 @@
 namespace phy::io {
 namespace {
 
+using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -217,6 +219,28 @@ INSTANTIATE_TEST_SUITE_P(
             "at most a twentieth of the diameter, 1.9 mm"},
         Bad{"big_half_disc", "[test]\nkind = \"semi_circular_bend\"\ndisc_diameter = \"40 mm\"\n",
             "at most the width and twice the height, 38 mm"},
+        Bad{"big_hole", "[specimen]\nhole_diameter = \"32 mm\"\n",
+            "within the specimen, five mean grain diameters, 3.325 mm, from its edge"},
+        Bad{"tiny_hole", "[specimen]\nhole_diameter = \"1 mm\"\n",
+            "0, or at least two largest grain diameters, 1.66 mm"},
+        Bad{"hole_and_flaw", "[specimen]\nhole_diameter = \"5 mm\"\nflaw_length = \"5 mm\"\n",
+            "a specimen has a hole or a flaw"},
+        Bad{"hole_of_a_disc",
+            "[specimen]\nhole_diameter = \"20 mm\"\n[test]\nkind = \"brazilian\"\ndisc_diameter = \"25 "
+            "mm\"\n",
+            "use a smaller hole"},
+        Bad{"hole_of_half_a_disc",
+            "[specimen]\nhole_diameter = \"5 mm\"\n[test]\nkind = \"semi_circular_bend\"\n",
+            "half a disc has its notch"},
+        Bad{"long_flaw", "[specimen]\nflaw_length = \"35 mm\"\n", "use a shorter flaw"},
+        Bad{"idle_flaw_angle", "[specimen]\nflaw_angle = \"30 deg\"\n", "give specimen.flaw_length"},
+        Bad{"idle_flaw_width", "[specimen]\nflaw_width = \"1 mm\"\n", "give specimen.flaw_length"},
+        Bad{"turned_flaw", "[specimen]\nflaw_length = \"5 mm\"\nflaw_angle = \"180 deg\"\n",
+            "0 deg <= value < 180 deg"},
+        Bad{"thin_flaw", "[specimen]\nflaw_length = \"9 mm\"\nflaw_width = \"0.1 mm\"\n",
+            "at least the largest grain diameter, 0.83 mm"},
+        Bad{"squat_flaw", "[specimen]\nflaw_length = \"4 mm\"\nflaw_width = \"5 mm\"\n",
+            "at most flaw_length = 4 mm"},
         Bad{"idle_normal_stiffness", "[test]\nkind = \"direct_shear\"\nnormal_stiffness = \"1 GPa/m\"\n",
             "give test.normal_stress"},
         Bad{"pre_strain_in_tension", "[test]\nkind = \"direct_tension\"\npre_strain = 1e-4\n",
@@ -293,6 +317,22 @@ TEST(Recipe, LaterKeysOfBeddingAreWrittenOnlyWhereTheySaySomething) {
   EXPECT_THAT(write_recipe(r), Not(HasSubstr("offset")));
   EXPECT_THAT(write_recipe(r), HasSubstr("orientation_range = \"15 deg\"\n"));
   EXPECT_EQ(parse_recipe(write_recipe(r), "r.toml").bedding[0].rule, BeddingRule::oriented);
+}
+
+// Recipes of sound rock are written as before there were holes.
+TEST(Recipe, OpeningsAreWrittenWhereTheyAre) {
+  Recipe r;
+  EXPECT_THAT(write_recipe(r), Not(AnyOf(HasSubstr("hole"), HasSubstr("flaw"))));
+  r.specimen.hole_diameter = 0.0123;
+  EXPECT_THAT(write_recipe(r), AllOf(HasSubstr("hole_diameter = \"12.3 mm\"\n"), Not(HasSubstr("flaw"))));
+  EXPECT_EQ(parse_recipe(write_recipe(r), "r.toml").specimen.hole_diameter, 0.0123);
+  r.specimen.hole_diameter = 0.0;
+  // Along the height there is room for what is too long across.
+  r.specimen.flaw_length = 0.05, r.specimen.flaw_angle = 80.0, r.specimen.flaw_width = 0.001;
+  const SpecimenSize back = parse_recipe(write_recipe(r), "r.toml").specimen;
+  EXPECT_EQ(back.flaw_length, 0.05);
+  EXPECT_EQ(back.flaw_angle, 80.0);
+  EXPECT_EQ(back.flaw_width, 0.001);
 }
 
 TEST(Recipe, CommentsChangeNothing) {

@@ -30,6 +30,14 @@ enum class Confinement { walls, jacket };
 struct SpecimenSize {
   double width = 0.038;   ///< [m]
   double height = 0.076;  ///< [m]
+
+  // What is taken out of the middle of it, or of the disc that is cut from it: a hole or a flaw.
+  double hole_diameter = 0.0;  ///< [m] circular; 0: no hole
+  double flaw_length = 0.0;    ///< [m] open, with both ends in the rock; 0: no flaw
+  double flaw_angle = 0.0;     ///< [deg] from +x, anticlockwise; 0 <= flaw_angle < 180
+  double flaw_width = 0.0;     ///< [m] 0: the largest grain diameter
+
+  bool pierced() const { return hole_diameter > 0.0 || flaw_length > 0.0; }
 };
 
 struct PackingRecipe {

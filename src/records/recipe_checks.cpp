@@ -16,6 +16,8 @@ constexpr double min_grains_across = 10.0;  // fewer: the walls decide, not the 
 constexpr double widest_notch = 0.05;       // of the diameter; wider, the formula of a crack is off
 constexpr double most_planes = 200.0;       // that scatter; a contact numbers them in one byte
 constexpr std::int64_t min_grains = 16;     // fewer do not settle into a packing
+constexpr double min_ligament = 5.0;        // mean grain diameters of rock between an opening and the outside
+constexpr double min_opening = 2.0;         // largest grain diameters; a smaller one may take out no grain
 
 using Paths = std::vector<std::string>;
 
@@ -45,6 +47,7 @@ class CrossChecks {
     for (set_ = 0; set_ < r_.bedding.size(); ++set_) bedding(r_.bedding[set_]);
     planes_that_scatter();
     test();
+    r_.specimen.hole_diameter > 0.0 ? hole() : flaw();
     return std::move(problems_);
   }
 
@@ -346,13 +349,89 @@ class CrossChecks {
     if (const KeptStress& kept = t.kind->kept_stress; kept.needed && t.*kept.value == 0.0)
       report_value({std::string("test.") + kept.key, "test.kind"}, "0", "above 0 for this kind of test",
                    "give the stress at the depth of the opening");
-    if (const double hole = t.kind->cut != nullptr ? t.kind->cut(r_).hole : 0.0;
-        2.0 * hole > std::min(r_.specimen.width, r_.specimen.height))
+    if (const double hole = cut().hole; 2.0 * hole > std::min(r_.specimen.width, r_.specimen.height))
       report_value(with({"test.opening_diameter"}, box), length(hole), "at most half of the smaller side",
                    "the block is to stand for rock without an end: use a larger one");
     if (t.pre_strain > 0.0 && !t.kind->may_pre_strain)
       report_problem({"test.pre_strain", "test.kind"}, "0 for this kind of test",
                      "only the uniaxial press can start loaded");
+  }
+
+  /// Rock that has to be left beside what is taken out of the middle [m].
+  double ligament() const {
+    return has_own_grains() ? min_ligament * (r_.packing.radius_min + r_.packing.radius_max) : 0.0;
+  }
+  std::string with_ligament(const std::string& expected) const {
+    return has_own_grains()
+               ? expected + ", five mean grain diameters, " + length(ligament()) + ", from its edge"
+               : expected;
+  }
+  SpecimenCut cut() const {
+    const auto of_test = r_.test.kind->cut;
+    return of_test != nullptr ? of_test(r_) : SpecimenCut{};
+  }
+  /// What the middle of a specimen can have at all; false: there is a problem.
+  bool may_be_pierced(const char* key) {
+    if (cut().half || cut().hole > 0.0)
+      return report_problem({key, "test.kind"}, "0 for this kind of test",
+                            cut().half ? "half a disc has its notch" : "give test.opening_diameter"),
+             false;
+    const double least = min_opening * 2.0 * r_.packing.radius_max;
+    if (find_field(recipe_fields(), key)->get(r_, 0) < least && has_own_grains())
+      return report_problem(with({key}, radii),
+                            "0, or at least two largest grain diameters, " + length(least),
+                            "whole grains are taken out; use a larger one, or smaller grains"),
+             false;
+    return true;
+  }
+  void hole() {
+    const SpecimenSize& s = r_.specimen;
+    if (s.flaw_length > 0.0)
+      report_problem({"specimen.flaw_length", "specimen.hole_diameter"}, "0 with a hole_diameter",
+                     "a specimen has a hole or a flaw: leave one of them out");
+    const char* const key = "specimen.hole_diameter";
+    if (!may_be_pierced(key)) return;
+    const double disc = cut().diameter, side = disc > 0.0 ? disc : std::min(s.width, s.height);
+    if (s.hole_diameter >= side || s.hole_diameter > side - 2.0 * ligament())
+      report_problem(
+          with(with({key}, box), {"test.disc_diameter", "packing.radius_min", "packing.radius_max"}),
+          with_ligament("within the specimen"), "use a smaller hole or a larger specimen");
+  }
+  void flaw() {
+    const SpecimenSize& s = r_.specimen;
+    const char* const key = "specimen.flaw_length";
+    if (s.flaw_length == 0.0) {
+      for (const char* of_a_flaw : {"specimen.flaw_angle", "specimen.flaw_width"})
+        if (find_field(recipe_fields(), of_a_flaw)->get(r_, 0) != 0.0)
+          report_problem({of_a_flaw, key}, "0 without a flaw", "give specimen.flaw_length");
+      return;
+    }
+    flaw_width();
+    if (!may_be_pierced(key)) return;
+    const SinCos a = sin_cos_degrees(s.flaw_angle);
+    const double L = s.flaw_length,
+                 w = std::max(s.flaw_width, has_own_grains() ? 2.0 * r_.packing.radius_max : 0.0);
+    // Its corners decide, of a disc by their distance from the middle.
+    const double across = L * std::fabs(a.cos) + w * a.sin, up = L * a.sin + w * std::fabs(a.cos);
+    const double disc = cut().diameter, least = 2.0 * ligament();
+    const bool inside =
+        disc > 0.0 ? std::hypot(L, w) < disc - least : across < s.width - least && up < s.height - least;
+    if (!inside)
+      report_problem(
+          with(with({key, "specimen.flaw_angle", "specimen.flaw_width", "test.disc_diameter"}, box),
+               {"packing.radius_min", "packing.radius_max"}),
+          with_ligament("within the specimen"), "use a shorter flaw or a larger specimen");
+  }
+  void flaw_width() {
+    const SpecimenSize& s = r_.specimen;
+    const double grain = 2.0 * r_.packing.radius_max;
+    if (s.flaw_width > 0.0 && s.flaw_width < grain && has_own_grains())
+      report_problem({"specimen.flaw_width", "packing.radius_max", "packing.file"},
+                     "0, or at least the largest grain diameter, " + length(grain),
+                     "grains would touch across it: leave it out, or use smaller grains");
+    if (s.flaw_width > s.flaw_length)
+      report_problem({"specimen.flaw_width", "specimen.flaw_length"},
+                     "at most flaw_length = " + length(s.flaw_length), "the longer side is its length");
   }
 
   /// Discs and half discs, whose notch is sawn.

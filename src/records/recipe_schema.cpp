@@ -98,6 +98,21 @@ void add_specimen(Fields& fields) {
   t.quantity("width", {1e-4, longest, Dimension::length}, "", "width of the specimen", &SpecimenSize::width);
   t.quantity("height", {1e-4, longest, Dimension::length}, "", "height of the specimen, along the load",
              &SpecimenSize::height);
+  t.quantity("hole_diameter", {0, longest, Dimension::length}, "",
+             "circular hole in the middle; 0: none; not of semi_circular_bend and opening",
+             &SpecimenSize::hole_diameter)
+      .omit_default = true;
+  t.quantity("flaw_length", {0, longest, Dimension::length}, "",
+             "open flaw in the middle, in place of a hole; 0: none; not of semi_circular_bend and opening",
+             &SpecimenSize::flaw_length)
+      .omit_default = true;
+  Field& angle =
+      t.quantity("flaw_angle", {0, 180, Dimension::angle}, "",
+                 "flaw from +x, anticlockwise; it does not turn with test.angles", &SpecimenSize::flaw_angle);
+  angle.below_max = angle.omit_default = true;
+  t.quantity("flaw_width", {0, largest_grain, Dimension::length}, "",
+             "width of the flaw; 0: the largest grain diameter", &SpecimenSize::flaw_width)
+      .omit_default = true;
 }
 
 void add_packing(Fields& fields) {

@@ -26,6 +26,18 @@ std::string radii_text(const PackingRecipe& p) {
                      p.distribution == RadiusDistribution::by_number ? "number" : "area");
 }
 
+/// After the size of the specimen.
+std::string opening_text(const SpecimenSize& s) {
+  if (s.hole_diameter > 0.0)
+    return fmt::format(", with a circular hole of {} in the middle",
+                       quantity(s.hole_diameter, Dimension::length));
+  if (s.flaw_length == 0.0) return {};
+  return fmt::format(", with an open flaw of {} in the middle, inclined by {} from the horizontal and {}",
+                     quantity(s.flaw_length, Dimension::length), quantity(s.flaw_angle, Dimension::angle),
+                     s.flaw_width > 0.0 ? quantity(s.flaw_width, Dimension::length) + " wide"
+                                        : std::string("as wide as the largest disc"));
+}
+
 std::string packing_text(const SpecimenRecord& t) {
   const Recipe& r = t.recipe;
   const std::string source =
@@ -33,10 +45,10 @@ std::string packing_text(const SpecimenRecord& t) {
       r.packing.file.empty() ? fmt::format("{}, seed {}", radii_text(r.packing), r.packing.seed) : "imported";
   return fmt::format(
       "The specimens are two-dimensional assemblies of {} discs ({}) in a rectangle of {} by {} (width by "
-      "height{}). The packing has porosity {:.4f}, coordination number {:.3f} and fabric {:+.4f}; {}.",
+      "height{}){}. The packing has porosity {:.4f}, coordination number {:.3f} and fabric {:+.4f}; {}.",
       t.n_grains, source, quantity(r.specimen.width, Dimension::length),
-      quantity(r.specimen.height, Dimension::length), r.test.kind->load_on_box, t.packing.porosity,
-      t.packing.coordination, t.packing.fabric,
+      quantity(r.specimen.height, Dimension::length), r.test.kind->load_on_box, opening_text(r.specimen),
+      t.packing.porosity, t.packing.coordination, t.packing.fabric,
       t.stress_free
           ? "its overlaps are the stress-free state"
           : fmt::format("it carries a locked-in stress of {:.3f} MPa", t.packing.stress_left * 1e-6));
@@ -294,11 +306,11 @@ Recipe rounded(Recipe r) {
 std::string grains_text(const Recipe& r) {
   return fmt::format(
       "The specimens are two-dimensional assemblies of discs ({}; {}) in a rectangle of {} by {} (width by "
-      "height).",
+      "height){}.",
       r.packing.n_grains > 0 ? fmt::format("{} per specimen", r.packing.n_grains)
                              : fmt::format("porosity {:g}", r.packing.porosity),
       radii_text(r.packing), quantity(r.specimen.width, Dimension::length),
-      quantity(r.specimen.height, Dimension::length));
+      quantity(r.specimen.height, Dimension::length), opening_text(r.specimen));
 }
 
 /// "E, UCS", without repetition; angles in the same way.

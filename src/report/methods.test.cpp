@@ -49,6 +49,19 @@ TEST(Methods, AMatrixOfFlatJoints) {
                           Not(HasSubstr("parallel bonds"))));
 }
 
+TEST(Methods, AnOpeningIsSaid) {
+  Recipe r;
+  const auto text = [&] { return methods({test_of(r, "intact", peaked, {{1e-3, 50}, {2e-3, 100}})}); };
+  EXPECT_THAT(text(), AllOf(Not(HasSubstr("hole")), Not(HasSubstr("flaw"))));
+  r.specimen.hole_diameter = 0.01;
+  EXPECT_THAT(text(), HasSubstr("load along the height), with a circular hole of 10 mm in the middle. The"));
+  r.specimen.hole_diameter = 0.0, r.specimen.flaw_length = 0.012, r.specimen.flaw_angle = 30.0;
+  EXPECT_THAT(text(), HasSubstr("with an open flaw of 12 mm in the middle, inclined by 30 deg from the "
+                                "horizontal and as wide as the largest disc. The"));
+  r.specimen.flaw_width = 0.002;
+  EXPECT_THAT(text(), HasSubstr("from the horizontal and 2 mm wide. The"));
+}
+
 TEST(Methods, RadiiHaveFourDigits) {
   Recipe r;
   r.packing.n_grains = 684, r.packing.radius_min = 0.25e-3 * 3.30712345678901,

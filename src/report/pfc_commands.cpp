@@ -151,6 +151,8 @@ std::string pfc_omissions(const Recipe& r) {
   omit(flat && m.gapped_fraction > 0.0, "contacts that start apart (gapped_fraction)");
   omit(m.unbreakable, "bonds that never break (unbreakable)");
   omit(!r.packing.file.empty(), "the packing of packing.file: radii and numbers above are not its own");
+  omit(r.specimen.hole_diameter > 0.0, "the hole in the middle (hole_diameter): delete its balls first");
+  omit(r.specimen.flaw_length > 0.0, "the flaw in the middle (flaw_length): delete its balls first");
   omit(r.engine.grain_inertia == GrainInertia::equal, "grains of equal mass (grain_inertia)");
   omit(r.bedding.size() > 1, "all sets of bedding but the first");
   if (r.bedding.empty()) return text;

@@ -76,6 +76,30 @@ TEST_F(DirectStudy, EverySpecimenIsItsDirectSolution) {
   }
 }
 
+// A hole or flaw is part of the specimen that is solved.
+TEST(DirectSolution, OfRockWithAnOpeningIsSofter) {
+  Recipe r;
+  r.specimen = {0.012, 0.024}, r.packing.n_grains = 742;
+  const auto packing = packing_of(r);
+  statics::UniaxialStatics statics;
+  const auto E = [&] {
+    const TestResult t = solve_directly(*specimen_of(packing, elastic_recipe(r)), statics);
+    EXPECT_EQ(t.outcome.status, Status::solved) << t.outcome.reason;
+    return number(t, "E_platen");
+  };
+  const double sound = E();
+  r.specimen.flaw_length = 0.005;
+  const double across = E();
+  r.specimen.flaw_angle = 90.0;
+  const double along = E();
+  r.specimen.flaw_length = r.specimen.flaw_angle = 0.0, r.specimen.hole_diameter = 0.005;
+  const double hole = E();
+  EXPECT_LT(across, 0.95 * sound);
+  EXPECT_LT(hole, 0.95 * sound);
+  EXPECT_GT(along, across) << "a flaw along the load opens little";
+  EXPECT_LT(along, sound);
+}
+
 // The seed of the bonds moves a modulus only where it says which contacts are joints.
 TEST(ElasticRecipe, KeepsTheSeedThatDrawsTheBedding) {
   Recipe r;

@@ -31,10 +31,13 @@ double expected_grains(const Recipe& r) {
   const double box = r.specimen.width * r.specimen.height;
   const double n = p.n_grains > 0 ? static_cast<double>(p.n_grains)
                                   : (1.0 - p.porosity) * box / (pi * p.mean_square_radius());
-  if (r.test.kind->cut == nullptr) return n;
-  // Discs and half discs are cut from the box: their share of its area.
-  const SpecimenCut cut = r.test.kind->cut(r);
-  return n * (cut.half ? 0.125 : 0.25) * pi * cut.diameter * cut.diameter / box;
+  const SpecimenCut cut = r.test.kind->cut != nullptr ? r.test.kind->cut(r) : SpecimenCut{};
+  const double diameter = std::max(cut.hole, r.specimen.hole_diameter),
+               hole = 0.25 * pi * diameter * diameter;
+  // Discs and half discs are cut from the box: their share of its area. A flaw takes out next to nothing.
+  const double shape =
+      cut.diameter == 0.0 ? box : (cut.half ? 0.125 : 0.25) * pi * cut.diameter * cut.diameter;
+  return n * (shape - hole) / box;
 }
 
 double expected_memory(const Recipe& r, std::size_t n_specimens) {

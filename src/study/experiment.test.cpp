@@ -68,6 +68,9 @@ TEST(SpecimenKey, ChangesWithEverythingThatChangesTheResult) {
   add([](Recipe& r) { r.matrix.bond_seed = 2; });
   add([](Recipe& r) { r.engine.precision = Precision::single_precision; });
   add([](Recipe& r) { r.test.pre_strain = 1e-4; });
+  add([](Recipe& r) { r.specimen.hole_diameter = 0.003; });
+  add([](Recipe& r) { r.specimen.flaw_length = 0.003; });
+  add([](Recipe& r) { r.specimen.flaw_length = 0.003, r.specimen.flaw_angle = 30.0; });
 }
 
 TEST(SpecimenKey, IgnoresWhatChangesNothing) {

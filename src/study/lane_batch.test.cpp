@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -257,6 +258,29 @@ TEST(RunTests, ARunningTestIsSeenAsItIsAndChangesNothing) {
   EXPECT_EQ(seen.back().cracks.size(), watched.cracks.size());
   EXPECT_GT(seen.back().cracks.size(), seen.front().cracks.size());
   EXPECT_EQ(watched.hash, run_tests(specimens, r, machine).front().hash);
+}
+
+// Specimens of one packing whose holes differ have other grains: they share no group, and each has the result
+// that it has alone.
+TEST(RunTests, OpeningsOfOnePackingDoNotMeet) {
+  std::vector<Recipe> recipes(4, quick());
+  recipes[1].specimen.hole_diameter = 0.002;
+  recipes[2].specimen.hole_diameter = 0.003;
+  recipes[3].specimen.flaw_length = 0.003, recipes[3].specimen.flaw_angle = 45.0;
+  const Plan plan = plan_of(recipes);
+  EXPECT_EQ(plan.batches.size(), 4U);
+  std::map<std::size_t, std::string> together;
+  Hooks hooks;
+  hooks.on_result = [&](std::size_t test, TestResult& r) { together[test] = r.hash; };
+  run_plan(plan, {1, 0, 4, engine::native_isa()}, hooks);
+  std::set<std::string> hashes;
+  const auto packing = packing_of(quick());
+  for (std::size_t i = 0; i < recipes.size(); ++i) {
+    const auto one = specimen_of(packing, recipes[i]);
+    EXPECT_EQ(together[i], run_tests({one}, recipes[i], {1, 0, 1, engine::native_isa()}).front().hash) << i;
+    hashes.insert(together[i]);
+  }
+  EXPECT_EQ(hashes.size(), 4U);
 }
 
 TEST(RunTests, ATestThatHasNotBegunKnowsWhoseItIs) {

@@ -6,6 +6,7 @@
 
 #include "engine/kernels.hpp"
 #include "genesis/cache.hpp"
+#include "genesis/cut.hpp"
 #include "lab/tests.hpp"
 #include "study/direct.hpp"
 #include "study/expected.hpp"
@@ -31,12 +32,14 @@ class Groups {
 
 // Whatever the lanes of one group have to share (engine/lane_group.hpp): packing, boundary, contact models
 // and geometry, precision, masses of the grains and block.
-using BatchName = std::tuple<std::string, std::string, std::string, const engine::ContactPhysics*,
-                             StiffnessConvention, std::int64_t, Precision, GrainInertia, std::int64_t>;
+using BatchName =
+    std::tuple<std::string, std::string, std::string, std::string, const engine::ContactPhysics*,
+               StiffnessConvention, std::int64_t, Precision, GrainInertia, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
   return {r.packing.file,
           genesis::packing_key(r.specimen, r.packing, r.matrix),
+          genesis::opening_name(r),
           lab::boundary_name(r),
           &engine::physics_of(r.matrix, r.bedding),
           r.matrix.stiffness_convention,
