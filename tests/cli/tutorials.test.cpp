@@ -1,9 +1,10 @@
 // Every tutorial of docs/tutorials is done as it is written: a block behind a line "`NAME`:" is that file, a
 // block of sh is run line by line, and a block of text behind it holds lines that were printed ("..." stands
-// for anything).
+// for anything). A line "From [...](PAGE): `NAME`" takes files of an earlier page.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 
 #include "../program.hpp"
@@ -48,6 +49,22 @@ std::string file_name(const std::string& line) {
   return line.starts_with('`') && line.ends_with("`:") ? line.substr(1, line.size() - 3) : "";
 }
 
+/// Blocks of files that a page takes from others.
+std::vector<Block> taken_over(const fs::path& page) {
+  const std::regex from(R"(From \[[^\]]*\]\(([\w-]+\.md)\):.*)");
+  std::vector<Block> taken;
+  std::ifstream in(page);
+  std::smatch link;
+  for (std::string line; std::getline(in, line);) {
+    if (!std::regex_match(line, link, from)) continue;
+    for (const Block& block : blocks_of(page.parent_path() / link[1].str())) {
+      const std::string name = file_name(block.before);
+      if (!name.empty() && line.find("`" + name + "`") != line.npos) taken.push_back(block);
+    }
+  }
+  return taken;
+}
+
 /// Does a line of `output` hold what stands between the "..." of `expected`, in this order?
 bool printed(const std::string& output, const std::string& expected) {
   std::istringstream lines(output);
@@ -71,6 +88,7 @@ TEST_P(Tutorial, IsDoneAsItIsWritten) {
   for (const char* shared : {"examples", "data"})
     fs::create_symlink(fs::path(PHY_SOURCE_DIR) / shared, at(shared));
   const std::string path = fs::path(PHY_PROGRAM).parent_path().string();
+  for (const Block& block : taken_over(GetParam())) write(file_name(block.before), block.text);
   std::string all;  // what the last block of sh has printed
   int n_commands = 0;
   for (const Block& block : blocks_of(GetParam())) {
