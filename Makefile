@@ -4,7 +4,7 @@
 # make package   a Debian package, and the source tarball    make package-check  install, try and remove it on a bare Debian 12
 # make windows   the program for Windows, as one .exe and a .zip    make windows-check  try it under wine
 # make browser-lab  the page with the program inside, one file without a server   make browser-check  its numbers, in node (neither in CI: a fifth of an hour of CPU)
-# make aarch64   the program for 64-bit ARM under Linux             make aarch64-check    its recorded numbers under qemu
+# make aarch64   the program for 64-bit ARM under Linux             make aarch64-check    its numbers, under qemu
 # make docs      the documents as a searchable site          make pictures those of gallery and README
 # make web       bundle the pages anew
 # make rocks     calibrate every measured rock of data/rocks, and predict: the cards, docs/rocks.md (100 minutes of CPU, resumed)
@@ -130,8 +130,8 @@ aarch64: deps-aarch64
 	@$(call made,aarch64) --target phyllite
 	@ls -l build/aarch64/phyllite
 
-aarch64-check: aarch64
-	qemu-aarch64 build/aarch64/phyllite verify --hash
+aarch64-check: aarch64 program
+	@python3 tools/aarch64_check.py $(CHECKS)
 
 # What users can have is tested: a tool that is missing is installed first.
 test: PACKAGES += $(MORE)

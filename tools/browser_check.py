@@ -3,7 +3,6 @@
 
 Usage: browser_check.py [CHECK...]. Without names: every check. `make browser-check` runs it.
 """
-import subprocess
 import sys
 import tempfile
 import pathlib
@@ -15,12 +14,10 @@ CHECKS = ("hash", "run", "tables", "calibrate", "speed")
 
 
 class Bench(windows_check.Bench):
-    isas, slowest = ("sse2",), 1.3
+    isas, slowest = ("sse2",), 1.3  # it knows no other instruction set
 
-    def begin(self, *words, where=None, isa=None, **more):  # it knows no other than SSE2
-        words = ["node", str(ROOT / "packaging/browser/command.cjs"), str(self.build), *words]
-        return subprocess.Popen(words, cwd=where or self.folder, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, encoding="utf-8", **more)
+    def command(self):
+        return ["node", ROOT / "packaging/browser/command.cjs", self.build]
 
 
 def main():

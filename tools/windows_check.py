@@ -68,9 +68,12 @@ class Bench:
             return "wine is not here (apt install wine64 wine)"
         return None if self.exe.exists() else f"{self.exe} is not there (make windows)"
 
+    def command(self):
+        return [self.wine, self.exe]
+
     def begin(self, *words, where=None, isa=None, **more):
         environment = dict(self.environment, **({"PHYLLITE_ISA": isa} if isa else {}))
-        return subprocess.Popen([self.wine, str(self.exe), *words], cwd=where or self.folder, env=environment, text=True,
+        return subprocess.Popen([*self.command(), *words], cwd=where or self.folder, env=environment, text=True,
                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", **more)
 
     def windows(self, *words, code=0, **more):

@@ -1,6 +1,7 @@
-// Golden hashes: a small scene through every kind of test, with every contact model, in both precisions. The
-// hashes that the tests of this program have met are taken into it (tests/recorded.txt), so that anybody can
-// see whether a build, a compiler or a processor gives the numbers that were tested.
+// Golden hashes: a small scene through every kind of test, with every contact model, in both precisions, and
+// the arithmetic of calibrations. The hashes that the tests of this program have met are taken into it
+// (tests/recorded.txt), so that anybody can see whether a build, a compiler or a processor gives the numbers
+// that were tested.
 #pragma once
 #include <string>
 #include <vector>
@@ -27,8 +28,8 @@ struct GoldenHash {
   bool equal() const { return hash == recorded; }
 };
 
-/// The hash of the packing, then those of golden_tests(), as many at a time as there are threads. None is
-/// there if `stop` says true in between.
+/// The hash of the packing, those of golden_tests(), as many at a time as there are threads, and that of a
+/// covariance of 150 unknowns. None is there if `stop` says true in between.
 std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine,
                                       const std::atomic<bool>* stop = nullptr);
 
