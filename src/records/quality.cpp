@@ -44,6 +44,9 @@ const std::vector<QualityLimit>& quality_limits() {
       {"grains_across", "smaller side / mean grain diameter", true, 10.0, 5.0,
        "too few grains across the specimen to be a rock",
        "lower the radii of [packing], or widen the specimen"},
+      {"grains_in_radius", "radius of an opening / mean grain diameter", true, 15.0, -1.0,
+       "too few grains around the opening for its hoop stress to be the rock's",
+       "lower the radii of [packing], or widen the opening and its block"},
       {"joints", "fewest smooth joints of a bedding set", true, 3.0, 1.0,
        "hardly any contact lies on a plane of the bedding",
        "raise bedding.zone_thickness (zone rule), lower bedding.spacing, move bedding.offset, or raise "

@@ -57,17 +57,16 @@ class OpeningTest final : public Procedure {
   void support_hole(double excavated);
   bool stand();
   OpeningState state(WallMoment moment) const {
-    return opening_state(*specimen_, begin_, group_->snapshot(lane_), place_, latest_row(), moment);
+    return opening_state(*specimen_, begin_, group_->snapshot(lane_), latest_row(), moment);
   }
   double time_of_ramp() const;
   double block_time() const { return static_cast<double>(recipe_.test.history_interval) * result_.dt; }
 
   const Vec2 far_ = recipe_.test.far_field();
-  const analysis::OpeningPlace place_{boundary().jacket.centre, boundary().jacket.radius};
+  OpeningBegin begin_{{boundary().jacket.centre, boundary().jacket.radius}, {}};
   Stage stage_ = Stage::excavating;
   double excavated_ = 0.0;  // share of the traction on the wall of the hole that is taken away
   double swept_ = 0.0;      // by the wall when the excavation begins [m^2]
-  Snapshot begin_;          // of that moment
   std::int64_t n_waited_ = 0;
   std::optional<OpeningState> standing_;
 };
@@ -124,13 +123,14 @@ bool OpeningTest::prepare(std::int64_t n_blocks) {
 void OpeningTest::prescribe_motion() {
   if (stage_ == Stage::raising) return close_platens(packing().height);
   swept_ = group_->jacket(lane_).swept;
-  begin_ = group_->snapshot(lane_);
+  begin_.shot = group_->snapshot(lane_);
   support_hole(0.0);
 }
 
 void OpeningTest::read_more(HistoryRow& row) {
   row.excavated = excavated_;
-  row.closure = (swept_ - group_->jacket(lane_).swept) / (2.0 * pi * place_.radius * place_.radius);
+  row.closure =
+      (swept_ - group_->jacket(lane_).swept) / (2.0 * pi * begin_.place.radius * begin_.place.radius);
   row.borne_stress = stage_ == Stage::raising ? row.axial_stress : excavated_ * far_.y;
 }
 
@@ -178,7 +178,7 @@ std::vector<WallPoint> OpeningTest::wall() const {
 }
 
 std::vector<Number> OpeningTest::numbers(const analysis::WavePath& /*no modulus is read*/) const {
-  const OpeningReading read{far_.y, place_.radius, standing_, state(WallMoment::end)};
+  const OpeningReading read{far_.y, begin_.place.radius, standing_, state(WallMoment::end)};
   return opening_numbers(result_.history, result_.cracks, read, analysis::grain_diameter(*specimen_));
 }
 

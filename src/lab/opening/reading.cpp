@@ -57,16 +57,17 @@ std::vector<Number> breakout_numbers(const analysis::Breakout* b, double radius,
 
 }  // namespace
 
-OpeningState opening_state(const Specimen& specimen, const Snapshot& begin, const Snapshot& now,
-                           const analysis::OpeningPlace& place, const HistoryRow& row, WallMoment moment) {
+OpeningState opening_state(const Specimen& specimen, const OpeningBegin& begin, const Snapshot& now,
+                           const HistoryRow& row, WallMoment moment) {
   const double grain = analysis::grain_diameter(specimen);
+  const analysis::OpeningPlace& place = begin.place;
   OpeningState state;
   state.closure = row.closure;
   const auto stress = analysis::stress_around(
       *specimen.packing, now,
       {place.centre, place.radius + hoop_ring[0] * grain, place.radius + hoop_ring[1] * grain},
       n_wall_sectors);
-  const auto wall = analysis::wall_motion(specimen, now, place, n_wall_sectors, &begin);
+  const auto wall = analysis::wall_motion(specimen, now, place, n_wall_sectors, &begin.shot);
   const auto depths = analysis::breakout_depths(specimen, now, place.centre, n_wall_sectors);
   const double least = 0.5 * grain;
   state.breakout = analysis::breakout_of(depths, least);

@@ -23,6 +23,12 @@ constexpr double collapsed = 0.05;                       ///< closure over the r
 constexpr std::array<double, 2> hoop_ring = {1.0, 5.0};  ///< mean grain diameters behind the wall
 constexpr int n_wall_sectors = 36;
 
+/// Where an opening is, and the moment from which its wall moves.
+struct OpeningBegin {
+  analysis::OpeningPlace place;
+  Snapshot shot;
+};
+
 /// The rock around an opening at one moment.
 struct OpeningState {
   double closure = 0.0;
@@ -30,9 +36,9 @@ struct OpeningState {
   analysis::Breakout breakout;
 };
 
-/// `begin`: when the excavation began; `row`: of the history now.
-OpeningState opening_state(const Specimen& specimen, const Snapshot& begin, const Snapshot& now,
-                           const analysis::OpeningPlace& place, const HistoryRow& row, WallMoment moment);
+/// `row`: of the history now.
+OpeningState opening_state(const Specimen& specimen, const OpeningBegin& begin, const Snapshot& now,
+                           const HistoryRow& row, WallMoment moment);
 
 struct OpeningReading {
   double vertical_stress = 0.0, radius = 0.0;  ///< [Pa], [m]
