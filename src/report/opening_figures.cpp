@@ -16,6 +16,7 @@ Panel closure_panel(const RunRecord& run) {
     const TestResult& r = run.tests[i].result;
     if (r.wall.empty()) continue;
     Series s = series_of(r, Mark::line, static_cast<int>(i));
+    s.name = heading(r);
     for (const HistoryRow& row : r.history.rows)
       s.points.push_back({100.0 * row.closure, MPa * row.borne_stress});
     panel.series.push_back(std::move(s));
@@ -56,7 +57,7 @@ Panel breakout_panel(const SpecimenRecord& t) {
   const auto depth = [](const WallPoint& p) { return 1e3 * p.breakout; };
   panel.series.push_back(
       around(t.result, WallMoment::standing, {"excavated", Mark::line, Role::level}, depth));
-  panel.series.push_back(around(t.result, WallMoment::end, {"collapsed", Mark::line, Role::model}, depth));
+  panel.series.push_back(around(t.result, WallMoment::end, {"at the end", Mark::line, Role::model}, depth));
   return panel;
 }
 
