@@ -64,13 +64,17 @@ struct LoadAxis {
   }
 };
 
-/// The surface that a jacket presses on.
+/// A circular hole, as it was cut.
+struct Hole {
+  Vec2 centre = {};     ///< in the packing [m]
+  double radius = 0.0;  ///< [m] 0: none
+};
+
+/// The surfaces that jackets press on.
 struct Jacket {
-  enum class On { nothing, sides, hole };
-  On on = On::nothing;
-  Vec2 centre = {};     ///< of the hole, in the packing [m]
-  double radius = 0.0;  ///< of the hole when it was cut [m]
-  bool present() const { return on != On::nothing; }
+  bool sides = false;
+  Hole hole = {};
+  bool present() const { return sides || hole.radius > 0.0; }
 };
 
 struct Boundary {
@@ -110,10 +114,10 @@ struct BodyState {
   Vec2 mean_force;    ///< mean over the block [N/m]
 };
 
-/// The jacket at the end of a block.
+/// The jacket of the sides at the end of a block.
 struct JacketState {
-  Vec2 stress;         ///< along x and y [Pa]
-  double swept = 0.0;  ///< area since the boundary was placed, into the rock positive [m^2]
+  double pressure = 0.0;  ///< [Pa]
+  double swept = 0.0;     ///< area since the boundary was placed, inwards positive [m^2]
 };
 
 }  // namespace phy::engine

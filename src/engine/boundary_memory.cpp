@@ -71,7 +71,8 @@ void BoundaryMemory<T>::adopt(const Boundary& boundary) {
   // since one list of touches serves all lanes.
   if (boundary.bodies.empty() && !boundary.jacket.present()) return;
   if (n_bodies_ > 0 || jacket_.present()) {
-    PHY_CHECK(boundary.bodies.size() == n_bodies_ && boundary.jacket.on == jacket_.on,
+    PHY_CHECK(boundary.bodies.size() == n_bodies_ && boundary.jacket.sides == jacket_.sides &&
+                  boundary.jacket.hole.radius == jacket_.hole.radius,
               "lanes share one boundary");
     return;
   }
@@ -146,7 +147,7 @@ void BoundaryMemory<T>::place(std::size_t l) {
   for (std::size_t t = 0; t < lane.boundary->bodies.size(); ++t) place_body(t, l);
   lane.bodies.assign(n_bodies_, BodyMotion{});
   lane.placed = true;
-  lane.swept = 0.0;
+  lane.sides.swept = lane.hole.swept = 0.0;
 }
 
 template <class T>
@@ -165,11 +166,9 @@ void BoundaryMemory<T>::add_work(std::size_t l, double& work) {
       state.mean_force = state.mean_force + (1.0 / static_cast<double>(n_steps_)) * force;
     }
   }
-  // Areas and stress do not change within a block, so this part of the work is exact (jacket.hpp).
-  if (!jacket_.present() || !lane.placed) return;
-  const Vec2 swept = area_swept(l) - lane.swept_from;
-  work += dot(lane.stress, swept);
-  lane.swept += swept.x + swept.y;
+  if (!lane.placed) return;
+  if (jacket_.sides) add_work(lane.sides, l, work);
+  if (jacket_.hole.radius > 0.0) add_work(lane.hole, l, work);
 }
 
 template <class T>

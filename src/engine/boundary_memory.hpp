@@ -20,6 +20,14 @@ struct BodyMotion {
   Vec2 listed_at;  // displacement when the points near the bodies were listed
 };
 
+/// A surface under a jacket.
+struct PressedSurface {
+  Vec2 stress;             // along x and y [Pa]
+  double swept = 0.0;      // area that it has swept since it was placed [m^2]
+  std::vector<Vec2> area;  // of each sorted grain that it presses on, as it fits [m]; empty: no such surface
+  Vec2 swept_from;         // sum of area times displacement, when it was fitted [m^2]
+};
+
 /// The boundary of one lane.
 struct LaneBoundary {
   std::shared_ptr<const Boundary> boundary;  // null: none, or an empty lane
@@ -27,10 +35,7 @@ struct LaneBoundary {
   // Of the lane: for the way on which the jacket pushes a free grain.
   double damping = 0.0, density = 1.0, dt = 0.0;
   std::vector<BodyMotion> bodies;
-  Vec2 stress;                // of the jacket along x and y [Pa]
-  double swept = 0.0;         // area that it has swept since it was placed [m^2]
-  std::vector<Vec2> pressed;  // area of each sorted grain that it presses on, as it fits [m]
-  Vec2 swept_from;            // sum of area times displacement, when it was fitted [m^2]
+  PressedSurface sides, hole;
 };
 
 template <class T>
@@ -121,7 +126,8 @@ class BoundaryMemory {
   void plan_lane(std::size_t l);
   double pushed_way(std::size_t grain, std::size_t l) const;
   Vec2 pressing(std::size_t grain, std::size_t l) const;
-  Vec2 area_swept(std::size_t l) const;
+  Vec2 area_swept(const PressedSurface& surface, std::size_t l) const;
+  void add_work(PressedSurface& surface, std::size_t l, double& work) const;
   bool fit_jacket(std::size_t l, NeighbourList<T>& list);
   void list_loads();
 };

@@ -15,9 +15,10 @@ constexpr double ray_spacing = 0.25;  // of the smallest radius: no grain of the
 /// Force on a grain [N/m].
 template <class T>
 Vec2 BoundaryMemory<T>::pressing(std::size_t g, std::size_t l) const {
-  const LaneBoundary& lane = lanes_[l];
-  if (lane.pressed.empty()) return {};
-  return {lane.stress.x * lane.pressed[g].x, lane.stress.y * lane.pressed[g].y};
+  Vec2 force;
+  for (const PressedSurface* s : {&lanes_[l].sides, &lanes_[l].hole})
+    if (!s->area.empty()) force = force + Vec2{s->stress.x * s->area[g].x, s->stress.y * s->area[g].y};
+  return force;
 }
 
 /// Way in a block from rest under the pressure alone, F t^2/(2 m). Local damping takes a share of the force
@@ -40,12 +41,20 @@ std::vector<double> BoundaryMemory<T>::push(std::size_t l) const {
 
 /// Sum of the areas that are pressed, times their displacement, along x and y [m^2].
 template <class T>
-Vec2 BoundaryMemory<T>::area_swept(std::size_t l) const {
-  const std::vector<Vec2>& pressed = lanes_[l].pressed;
+Vec2 BoundaryMemory<T>::area_swept(const PressedSurface& surface, std::size_t l) const {
   Vec2 sum;
-  for (std::size_t g = 0; g < pressed.size(); ++g)
-    sum = sum + Vec2{pressed[g].x * grains_->get(g, g_ux, l), pressed[g].y * grains_->get(g, g_uy, l)};
+  for (std::size_t g = 0; g < surface.area.size(); ++g)
+    sum = sum +
+          Vec2{surface.area[g].x * grains_->get(g, g_ux, l), surface.area[g].y * grains_->get(g, g_uy, l)};
   return sum;
+}
+
+/// Areas and stress do not change within a block, so this part of the work is exact (jacket.hpp).
+template <class T>
+void BoundaryMemory<T>::add_work(PressedSurface& surface, std::size_t l, double& work) const {
+  const Vec2 swept = area_swept(surface, l) - surface.swept_from;
+  work += dot(surface.stress, swept);
+  surface.swept += swept.x + swept.y;
 }
 
 template <class T>
@@ -54,9 +63,9 @@ bool BoundaryMemory<T>::fit_jacket(std::size_t l, NeighbourList<T>& list) {
   // The surface is looked for where the grains are now; their order in memory is that of the start.
   for (std::size_t g = 0; g < x.size(); ++g) x[g] = grains_->place(g, l);
   const double spacing = ray_spacing * grains_->smallest_radius();
-  lanes_[l].pressed = jacket_.on == Jacket::On::hole
-                          ? hole_areas(x, grains_->radii(), jacket_, spacing)
-                          : side_areas(x, grains_->radii(), grains_->packing().height, spacing);
+  LaneBoundary& lane = lanes_[l];
+  if (jacket_.sides) lane.sides.area = side_areas(x, grains_->radii(), grains_->packing().height, spacing);
+  if (jacket_.hole.radius > 0.0) lane.hole.area = hole_areas(x, grains_->radii(), jacket_.hole, spacing);
   // Written as "not within" so that a NaN also asks for a new list.
   for (std::size_t g = 0; g < x.size() && list.searched(l); ++g)
     if (!(pushed_way(g, l) <= list.push(l, g))) list.forget(l);
@@ -72,7 +81,7 @@ bool BoundaryMemory<T>::fit_jackets(NeighbourList<T>& list) {
   list_loads();
   // After the loads are known: the work of the block is p times the change of this sum.
   for (std::size_t l = 0; l < W_; ++l)
-    if (!lanes_[l].pressed.empty()) lanes_[l].swept_from = area_swept(l);
+    for (PressedSurface* s : {&lanes_[l].sides, &lanes_[l].hole}) s->swept_from = area_swept(*s, l);
   return forgotten;
 }
 
@@ -101,8 +110,8 @@ void BoundaryMemory<T>::list_loads() {
         std::lower_bound(load_.begin(), load_.end(), grains_->layout().row_grain[row]) - load_.begin());
 }
 
-template Vec2 BoundaryMemory<double>::area_swept(std::size_t) const;
-template Vec2 BoundaryMemory<float>::area_swept(std::size_t) const;
+template void BoundaryMemory<double>::add_work(PressedSurface&, std::size_t, double&) const;
+template void BoundaryMemory<float>::add_work(PressedSurface&, std::size_t, double&) const;
 template std::vector<double> BoundaryMemory<double>::push(std::size_t) const;
 template std::vector<double> BoundaryMemory<float>::push(std::size_t) const;
 template bool BoundaryMemory<double>::fit_jackets(NeighbourList<double>&);

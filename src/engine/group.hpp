@@ -61,7 +61,10 @@ class Group final : public LaneGroup {
   void prescribe(int lane, int body, const PrescribedMotion& prescribed) override {
     boundary_.prescribe(index(lane), static_cast<std::size_t>(body), prescribed);
   }
-  void press(int lane, Vec2 stress) override { boundary_.lane(index(lane)).stress = stress; }
+  void press(int lane, double pressure) override {
+    boundary_.lane(index(lane)).sides.stress = {pressure, 0.0};
+  }
+  void press_hole(int lane, Vec2 stress) override { boundary_.lane(index(lane)).hole.stress = stress; }
   void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) override;
   void pre_strain(int lane, double axial_strain) override;
   bool at_strength(int lane) const override;
@@ -73,9 +76,10 @@ class Group final : public LaneGroup {
     return boundary_.lane(index(lane)).bodies[static_cast<std::size_t>(body)].state;
   }
   JacketState jacket(int lane) const override {
-    const LaneBoundary& edge = boundary_.lane(index(lane));
-    return {edge.stress, edge.swept};
+    const PressedSurface& sides = boundary_.lane(index(lane)).sides;
+    return {sides.stress.x, sides.swept};
   }
+  double hole_swept(int lane) const override { return boundary_.lane(index(lane)).hole.swept; }
   const LaneHealth& health(int lane) const override { return at(lane).health; }
   std::vector<Breakage>& cracks(int lane) override { return at(lane).cracks; }
   Snapshot snapshot(int lane) const override;

@@ -23,7 +23,9 @@ bool all_numbers(const HistoryRow& row, const LaneBoundary& edge) {
       if (!std::isfinite(row.*c.value)) return false;
   for (const BodyMotion& t : edge.bodies)
     if (!is_finite(t.state.displacement) || !is_finite(t.state.force)) return false;
-  return std::isfinite(edge.stress.x) && std::isfinite(edge.stress.y) && std::isfinite(edge.swept);
+  for (const PressedSurface* s : {&edge.sides, &edge.hole})
+    if (!is_finite(s->stress) || !std::isfinite(s->swept)) return false;
+  return true;
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ struct Spokes {
   std::vector<double> way;          // to what each has met first
   std::vector<std::int64_t> grain;  // -1: none
 
-  Spokes(const Jacket& hole, double spacing) : centre(hole.centre), begin(0.5 * hole.radius) {
+  Spokes(const Hole& hole, double spacing) : centre(hole.centre), begin(0.5 * hole.radius) {
     const double n = std::ceil(2.0 * pi * hole.radius / spacing);
     for (double k = 0.0; k < n; k += 1.0) {
       const SinCos at = sin_cos_degrees(360.0 * k / n);
@@ -112,7 +112,7 @@ struct Spokes {
 
 }  // namespace
 
-std::vector<Vec2> hole_areas(std::span<const Vec2> x, std::span<const double> r, const Jacket& hole,
+std::vector<Vec2> hole_areas(std::span<const Vec2> x, std::span<const double> r, const Hole& hole,
                              double spacing) {
   Spokes spokes(hole, spacing);
   for (std::size_t g = 0; g < x.size(); ++g) spokes.meet(g, x[g], r[g]);

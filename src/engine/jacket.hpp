@@ -30,7 +30,7 @@ std::vector<Vec2> side_areas(std::span<const Vec2> x, std::span<const double> r,
 
 /// The same of the wall of a hole, `spacing` apart where it was cut. What lies nearer to its centre than half
 /// its radius has fallen in, and is not seen.
-std::vector<Vec2> hole_areas(std::span<const Vec2> x, std::span<const double> r, const Jacket& hole,
+std::vector<Vec2> hole_areas(std::span<const Vec2> x, std::span<const double> r, const Hole& hole,
                              double spacing);
 
 }  // namespace phy::engine

@@ -17,7 +17,7 @@ TEST(Jacket, WorkIsPressureTimesTheAreaSwept) {
     const double drift = 2.0 * TwoDiscs::skin;  // in the first block
     const double force = 2.0 * drift * t.mass / (t.block * t.block);
     const double p = force / (2.0 * TwoDiscs::R);
-    t.group->press(0, {p, p});
+    t.group->press(0, p);
     double most = 0.0;  // they bounce and give work back
     for (int i = 0; i < 6; ++i) {
       t.group->advance();
@@ -27,7 +27,7 @@ TEST(Jacket, WorkIsPressureTimesTheAreaSwept) {
       most = std::max(most, r.boundary_work);
       EXPECT_NEAR(r.kinetic + r.strain_linear, r.boundary_work, 5e-3 * most) << "after block " << i + 1;
       EXPECT_NEAR(t.moved(0) + t.moved(1), 0.0, 1e-3 * drift);
-      EXPECT_EQ(t.group->jacket(0).stress.x, p);
+      EXPECT_EQ(t.group->jacket(0).pressure, p);
       EXPECT_NEAR(p * t.group->jacket(0).swept / r.boundary_work, 1.0, 1e-12);
     }
     EXPECT_LT(t.moved(0), 1.6 * TwoDiscs::skin) << "they do not pass through each other";
@@ -51,7 +51,7 @@ TEST(Jacket, PressesOnWhatShows) {
 }
 
 constexpr double ring_radius = 0.01, ring_grain = 2e-4;
-constexpr Jacket ring_hole = {Jacket::On::hole, {0.02, 0.03}, ring_radius};
+constexpr Hole ring_hole = {{0.02, 0.03}, ring_radius};
 
 /// Discs side by side around the hole, their centres on its wall.
 std::vector<Vec2> ring(int n) {

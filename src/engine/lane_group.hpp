@@ -72,8 +72,10 @@ class LaneGroup {
   virtual void forbid_breakage(int lane, bool forbid) = 0;
   /// How a body moves from now on.
   virtual void prescribe(int lane, int body, const PrescribedMotion& prescribed) = 0;
-  /// Stress of the jacket on its surface from now on, along x and y; compression positive [Pa].
-  virtual void press(int lane, Vec2 stress) = 0;
+  /// Pressure of the jacket on the sides from now on [Pa].
+  virtual void press(int lane, double pressure) = 0;
+  /// Stress of the jacket on the wall of the hole, along x and y; compression positive [Pa].
+  virtual void press_hole(int lane, Vec2 stress) = 0;
   /// Gives all grains a velocity [m/s] by their place; its energy enters the balance as work.
   virtual void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) = 0;
   /// Sets the affine pre-strain along the boundary's axial axis (y), boundary in place.
@@ -93,6 +95,8 @@ class LaneGroup {
   virtual const HistoryRow& row(int lane) const = 0;
   virtual const BodyState& body(int lane, int body) const = 0;
   virtual JacketState jacket(int lane) const = 0;
+  /// Area that the wall of the hole has swept since the boundary was placed, into the rock positive [m^2].
+  virtual double hole_swept(int lane) const = 0;
   virtual const LaneHealth& health(int lane) const = 0;
   virtual std::vector<Breakage>& cracks(int lane) = 0;  ///< all so far, ordered within each block
   virtual Snapshot snapshot(int lane) const = 0;        ///< grains and contacts now; no strain, no stress

@@ -62,7 +62,7 @@ struct TwoDiscs {
     Boundary boundary;
     boundary.bodies = {pusher(2, 1.0)};
     for (Touch& t : boundary.bodies[0].touches) t.gap = 0.5 * R;  // counts for the step, is never reached
-    if (jacket) boundary.jacket.on = Jacket::On::sides;
+    boundary.jacket.sides = jacket;
     LaneSetup setup;
     setup.damping = 0.0, setup.step_safety = 0.02;
     setup.boundary = std::make_shared<const Boundary>(boundary);

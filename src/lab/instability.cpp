@@ -103,7 +103,7 @@ class Suspects {
 
 std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe,
                                   const engine::Boundary& boundary, const HistoryRow& last, bool outran) {
-  return Suspects(specimen, recipe, boundary.jacket.on == engine::Jacket::On::sides, last, outran).text();
+  return Suspects(specimen, recipe, boundary.jacket.sides, last, outran).text();
 }
 
 }  // namespace phy::lab

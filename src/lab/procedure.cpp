@@ -178,11 +178,11 @@ void Procedure::write_load() {
     row_.lateral_strain = strain(across, boundary_->lateral) - zero_lateral_;
     row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_->lateral.area;
   }
-  if (boundary_->boundary.jacket.on == engine::Jacket::On::sides) {
+  if (boundary_->boundary.jacket.sides) {
     const engine::JacketState jacket = group_->jacket(lane_);
     // A jacket has no place: the area that it has swept, over that of the specimen, is its strain.
     row_.lateral_strain = jacket.swept / (packing().width * packing().height) - zero_lateral_;
-    row_.lateral_stress = jacket.stress.x;
+    row_.lateral_stress = jacket.pressure;
   }
   row_.deviatoric_stress = row_.axial_stress - row_.lateral_stress;
   row_.volumetric_strain = row_.axial_strain + row_.lateral_strain;

@@ -24,7 +24,7 @@ TestBoundary confined_platens(const Packing& packing, const TestRecipe& test) {
     press.lateral = {packing.width, packing.height};
     return press;
   }
-  boundary.jacket.on = engine::Jacket::On::sides;
+  boundary.jacket.sides = true;
   return press;
 }
 
@@ -71,7 +71,7 @@ void BiaxialTest::confine(double stress, bool platens_too) {
     axial.force = -axial.force;
     group_->prescribe(lane_, 1, {{}, 0.0, {}, axial});
   }
-  if (recipe_.test.confinement == Confinement::jacket) return group_->press(lane_, {stress, stress});
+  if (recipe_.test.confinement == Confinement::jacket) return group_->press(lane_, stress);
   engine::PrescribedMotion wall;
   wall.balance_x = {true, stress * p.height};
   group_->prescribe(lane_, 2, wall);

@@ -94,7 +94,7 @@ TEST(Biaxial, EachWallPressesWithItsStress) {
 TEST(Biaxial, JacketCoversTheSides) {
   const Recipe r = confined(10e6, Confinement::jacket);
   const auto packing = small_packing(r);
-  EXPECT_TRUE(confined_platens(*packing, r.test).boundary.jacket.on == engine::Jacket::On::sides);
+  EXPECT_TRUE(confined_platens(*packing, r.test).boundary.jacket.sides);
   std::vector<Vec2> x;
   std::vector<double> radius;
   for (const Disc& d : packing->discs) x.push_back({d.x, d.y}), radius.push_back(d.r);

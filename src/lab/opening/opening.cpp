@@ -21,12 +21,8 @@ double opening_diameter(const Recipe& recipe) {
 
 TestBoundary block_with_hole(const Packing& packing, double diameter) {
   TestBoundary block = platens(packing);
-  engine::Boundary& boundary = block.boundary;
-  boundary.bodies.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
-  boundary.bodies.push_back(flat_wall(packing, "right wall", {packing.width, 0.0}, {-1.0, 0.0}, false));
-  boundary.lateral = {2, 3, {1.0, 0.0}};
-  block.lateral = {packing.width, packing.height};
-  boundary.jacket = {engine::Jacket::On::hole, {0.5 * packing.width, 0.5 * packing.height}, 0.5 * diameter};
+  // Sides that bend: between four rigid walls layered rock cannot shear, which would be a stress far away.
+  block.boundary.jacket = {true, {{0.5 * packing.width, 0.5 * packing.height}, 0.5 * diameter}};
   return block;
 }
 
@@ -52,8 +48,8 @@ class OpeningTest final : public Procedure {
   std::vector<WallPoint> wall() const override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
-  /// The four walls press with these stresses, along x and y [Pa].
-  void load_walls(Vec2 stress);
+  /// Sides and, until they are moved, bottom and top press with these stresses, along x and y [Pa].
+  void load_edges(Vec2 stress);
   void support_hole(double excavated);
   bool stand();
   OpeningState state(WallMoment moment) const {
@@ -63,7 +59,7 @@ class OpeningTest final : public Procedure {
   double block_time() const { return static_cast<double>(recipe_.test.history_interval) * result_.dt; }
 
   const Vec2 far_ = recipe_.test.far_field();
-  OpeningBegin begin_{{boundary().jacket.centre, boundary().jacket.radius}, {}};
+  OpeningBegin begin_{{boundary().jacket.hole.centre, boundary().jacket.hole.radius}, {}};
   Stage stage_ = Stage::excavating;
   double excavated_ = 0.0;  // share of the traction on the wall of the hole that is taken away
   double swept_ = 0.0;      // by the wall when the excavation begins [m^2]
@@ -71,23 +67,22 @@ class OpeningTest final : public Procedure {
   std::optional<OpeningState> standing_;
 };
 
-void OpeningTest::load_walls(Vec2 stress) {
-  const Packing& p = packing();
-  engine::PrescribedMotion across, along;
-  across.balance_x = {true, stress.x * p.height}, along.balance_y = {true, stress.y * p.width};
-  group_->prescribe(lane_, 2, across);
-  if (stage_ != Stage::raising) group_->prescribe(lane_, 0, along);
+void OpeningTest::load_edges(Vec2 stress) {
+  group_->press(lane_, stress.x);
+  if (stage_ == Stage::raising) return;
+  engine::PrescribedMotion wall;
+  wall.balance_y = {true, stress.y * packing().width};
+  group_->prescribe(lane_, 0, wall);
   // Opposite walls push against each other.
-  across.balance_x.force = -across.balance_x.force, along.balance_y.force = -along.balance_y.force;
-  group_->prescribe(lane_, 3, across);
-  if (stage_ != Stage::raising) group_->prescribe(lane_, 1, along);
+  wall.balance_y.force = -wall.balance_y.force;
+  group_->prescribe(lane_, 1, wall);
 }
 
 /// What rock in the place of the hole would exert, and less and less of it down to the internal pressure.
 void OpeningTest::support_hole(double excavated) {
   const double inside = recipe_.test.internal_pressure;
   excavated_ = excavated;
-  group_->press(lane_, (1.0 - excavated) * far_ + excavated * Vec2{inside, inside});
+  group_->press_hole(lane_, (1.0 - excavated) * far_ + excavated * Vec2{inside, inside});
 }
 
 /// As fast as the platens would raise the stress of sound rock [s].
@@ -107,8 +102,8 @@ void OpeningTest::on_placed() {
 
 bool OpeningTest::prepare(std::int64_t n_blocks) {
   const double share = std::min(1.0, static_cast<double>(n_blocks) * block_time() / time_of_ramp());
-  load_walls(share * far_);
-  group_->press(lane_, share * far_);
+  load_edges(share * far_);
+  group_->press_hole(lane_, share * far_);
   if (n_blocks == 0) return false;
   const HistoryRow& row = latest_row();
   if (std::max(row.axial_strain, row.lateral_strain) > most_strain)
@@ -116,21 +111,20 @@ bool OpeningTest::prepare(std::int64_t n_blocks) {
                fmt::format("strain {:.1f} % before the far-field stress was reached",
                            100.0 * std::max(row.axial_strain, row.lateral_strain)),
                "the rock does not bear this stress without an opening; lower it");
-  // Walls in balance have their force in every step: what may be off is the rock between them.
+  // Edges have their stress in every step: what may be off is the rock between them.
   return load_once_steady(share == 1.0, 1.0 + row.unbalanced, quiet);
 }
 
 void OpeningTest::prescribe_motion() {
   if (stage_ == Stage::raising) return close_platens(packing().height);
-  swept_ = group_->jacket(lane_).swept;
+  swept_ = group_->hole_swept(lane_);
   begin_.shot = group_->snapshot(lane_);
   support_hole(0.0);
 }
 
 void OpeningTest::read_more(HistoryRow& row) {
   row.excavated = excavated_;
-  row.closure =
-      (swept_ - group_->jacket(lane_).swept) / (2.0 * pi * begin_.place.radius * begin_.place.radius);
+  row.closure = (swept_ - group_->hole_swept(lane_)) / (2.0 * pi * begin_.place.radius * begin_.place.radius);
   row.borne_stress = stage_ == Stage::raising ? row.axial_stress : excavated_ * far_.y;
 }
 
@@ -164,7 +158,7 @@ bool OpeningTest::after_row() {
       if (excavated_ == 1.0) stage_ = Stage::standing;
       return false;
     case Stage::standing: return stand();
-    case Stage::raising: load_walls({far_.x / far_.y * row.axial_stress, row.axial_stress}); return false;
+    case Stage::raising: load_edges({far_.x / far_.y * row.axial_stress, row.axial_stress}); return false;
   }
   return false;
 }
@@ -186,7 +180,8 @@ std::string loading_text_of(const Recipe& r) {
   const TestRecipe& t = r.test;
   const auto stress = [](double v) { return print_quantity(v, Dimension::pressure); };
   return fmt::format(
-      "Four rigid walls without friction brought up a vertical stress of {} and a horizontal stress of {}. "
+      "Bottom and top walls without friction brought up a vertical stress of {}, and a pressure on the sides "
+      "a horizontal stress of {}. "
       "The opening of {} in the middle was then excavated by relaxation, {}. Afterwards bottom and top "
       "approached at {}, the ratio of the stresses being kept, until it collapsed.",
       stress(t.vertical_stress), stress(t.far_field().x),
@@ -202,7 +197,7 @@ HistoryColumns columns() {
       {clock_columns(),
        {{"axial_strain", "1", "approach of bottom and top since the excavation began / initial height",
          &Row::axial_strain},
-        {"lateral_strain", "1", "approach of the sides since the excavation began / initial width",
+        {"lateral_strain", "1", "area swept by the sides since the excavation began / initial area",
          &Row::lateral_strain},
         {"excavated", "1", "share of the rock's traction on the wall of the hole that is taken away",
          &Row::excavated},
@@ -210,7 +205,7 @@ HistoryColumns columns() {
          &Row::closure},
         {"borne_stress", "Pa", "vertical stress times the share excavated", &Row::borne_stress}},
        platen_stress_columns(),
-       {{"lateral_stress", "Pa", "mean force of the sides / initial height", &Row::lateral_stress}},
+       {{"lateral_stress", "Pa", "pressure on the sides", &Row::lateral_stress}},
        balance_columns()});
 }
 

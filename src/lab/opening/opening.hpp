@@ -1,10 +1,11 @@
 // Opening under stress: a block of rock with a circular hole, a borehole or a tunnel, under the stress of its
 // depth. The hole is in the middle of the block, test.opening_diameter wide.
 //
-//   far field   four rigid walls without friction, in balance (docs/decisions/0007), bring up
-//               test.vertical_stress and test.horizontal_stress together. The wall of the hole carries the
-//               traction that the rock in its place would exert, sigma n, so that the block is stressed as if
-//               there were no hole.
+//   far field   bottom and top, rigid walls without friction in balance (docs/decisions/0007), bring up
+//               test.vertical_stress, a jacket on the sides test.horizontal_stress. Sides bend, so that
+//               layered rock may shear: between four rigid walls it would be under a shear stress. The wall
+//               of the hole carries the traction that the rock in its place would exert, sigma n, so that the
+//               block is stressed as if there were no hole.
 //   excavation  that traction is taken away in proportion, down to test.internal_pressure (relaxation, as in
 //               two-dimensional calculations of tunnels; Panet & Guenot 1982, Tunnelling '82). Here the
 //               history begins.
@@ -25,7 +26,7 @@
 
 namespace phy::lab {
 
-/// Four walls, bottom and top (bodies 0 and 1), left and right (2, 3), and the jacket of the hole.
+/// Bottom and top (bodies 0 and 1), and jackets on the sides and in the hole.
 TestBoundary block_with_hole(const Packing& packing, double diameter);
 
 /// Of the recipe's opening [m].
