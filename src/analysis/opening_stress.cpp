@@ -68,14 +68,17 @@ std::vector<bool> body_at_start(const Specimen& specimen) {
 /// What rays from the centre meet first; infinite: nothing.
 class Rays {
  public:
-  explicit Rays(int n) : way_(static_cast<std::size_t>(n), std::numeric_limits<double>::infinity()) {}
+  explicit Rays(int n) : way_(static_cast<std::size_t>(n), std::numeric_limits<double>::infinity()) {
+    for (int k = 0; k < n; ++k) {
+      const SinCos a = sin_cos_degrees(360.0 * k / n);
+      ray_.push_back({a.cos, a.sin});
+    }
+  }
 
   /// `x`: from the centre.
   void meet(Vec2 x, double r) {
     for (std::size_t k = 0; k < way_.size(); ++k) {
-      const SinCos a = sin_cos_degrees(360.0 * static_cast<double>(k) / static_cast<double>(way_.size()));
-      const Vec2 ray{a.cos, a.sin};
-      const double across = cross(ray, x), along = dot(ray, x);
+      const double across = cross(ray_[k], x), along = dot(ray_[k], x);
       if (std::fabs(across) >= r) continue;
       // Where it enters and leaves the grain; one behind the centre is another ray's.
       const double chord = std::sqrt(r * r - across * across);
@@ -86,6 +89,7 @@ class Rays {
 
  private:
   std::vector<double> way_;
+  std::vector<Vec2> ray_;
 };
 
 }  // namespace

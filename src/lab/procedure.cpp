@@ -145,8 +145,9 @@ bool Procedure::load_once_steady(bool at_target, double stress_over_target, doub
   if (cycles < settle_cycles) return false;
   return end(
       Status::not_settled,
-      fmt::format("the confining or normal stress does not settle: {:.1f} % off its target after {} cycles",
-                  100.0 * (stress_over_target - 1.0), cycles),
+      fmt::format(
+          "the stress before the test does not settle: {:.1f} % off its target or balance after {} cycles",
+          100.0 * (stress_over_target - 1.0), cycles),
       fmt::format("{}lower test.platen_speed or test.{}", more_damping(recipe_), test().kept_stress.key));
 }
 
@@ -472,7 +473,7 @@ TestResult Procedure::take_result() {
                      return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
                    });
   if (events_) result_.events = events_->take();
-  result_.wall = wall();
+  finish();
   result_.snapshots = snapshots_.take(snapshot());
   result_.frames = frames_.take(frame());
   result_.n_steps = static_cast<std::int64_t>(row_.step);

@@ -84,8 +84,8 @@ class Procedure {
   virtual bool after_row() { return false; }
   /// The stop rule is awake: what the test calls its stress may fall from now on.
   virtual bool may_peak() const { return true; }
-  /// The rock around an opening.
-  virtual std::vector<WallPoint> wall() const { return {}; }
+  /// The test is over, its numbers are not yet read.
+  virtual void finish() {}
   /// What the history of this test holds beyond strain and stress of its bodies (which `row` has already).
   virtual void read_more(HistoryRow& /*row*/) {}
   /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.

@@ -45,7 +45,7 @@ class OpeningTest final : public Procedure {
   void read_more(HistoryRow& row) override;
   bool after_row() override;
   bool may_peak() const override { return stage_ == Stage::raising; }
-  std::vector<WallPoint> wall() const override;
+  void finish() override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
   /// Sides and, until they are moved, bottom and top press with these stresses, along x and y [Pa].
@@ -64,7 +64,7 @@ class OpeningTest final : public Procedure {
   double excavated_ = 0.0;  // share of the traction on the wall of the hole that is taken away
   double swept_ = 0.0;      // by the wall when the excavation begins [m^2]
   std::int64_t n_waited_ = 0;
-  std::optional<OpeningState> standing_;
+  std::optional<OpeningState> standing_, at_end_;
 };
 
 void OpeningTest::load_edges(Vec2 stress) {
@@ -94,7 +94,7 @@ double OpeningTest::time_of_ramp() const {
 void OpeningTest::on_placed() {
   stage_ = Stage::excavating;
   n_waited_ = 0;
-  standing_.reset();
+  standing_.reset(), begin_.shot = {};
   // While the specimen settled nothing could break; what the far field alone breaks is meant to show.
   group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prepare(0);
@@ -163,16 +163,16 @@ bool OpeningTest::after_row() {
   return false;
 }
 
-std::vector<WallPoint> OpeningTest::wall() const {
-  std::vector<WallPoint> points;
-  if (standing_) points = standing_->points;
-  const OpeningState end = state(WallMoment::end);
-  points.insert(points.end(), end.points.begin(), end.points.end());
-  return points;
+void OpeningTest::finish() {
+  // A test that ended before has no opening to look at.
+  if (begin_.shot.grains.empty()) return;
+  at_end_ = state(WallMoment::end);
+  if (standing_) result_.wall = standing_->points;
+  result_.wall.insert(result_.wall.end(), at_end_->points.begin(), at_end_->points.end());
 }
 
 std::vector<Number> OpeningTest::numbers(const analysis::WavePath& /*no modulus is read*/) const {
-  const OpeningReading read{far_.y, begin_.place.radius, standing_, state(WallMoment::end)};
+  const OpeningReading read{far_.y, begin_.place.radius, standing_, at_end_};
   return opening_numbers(result_.history, result_.cracks, read, analysis::grain_diameter(*specimen_));
 }
 

@@ -96,5 +96,26 @@ TEST(Opening, OfWeakRockDoesNotStand) {
   EXPECT_TRUE(std::isfinite(number(run_alone(r), "closure").value));
 }
 
+// A stress that the rock does not bear without an opening, or a user who stops early: there is no wall to
+// read.
+TEST(Opening, EndsBeforeTheExcavationBegins) {
+  Recipe r = block(20e6, 20e6);
+  const auto specimen =
+      std::make_shared<const Specimen>(genesis::make_specimens(small_packing(r), r).front());
+  engine::GroupOptions options;
+  options.isa = engine::native_isa();
+  options.interval = static_cast<int>(r.test.history_interval);
+  const auto group = engine::make_group(specimen->packing, options);
+  const auto test = make_test(specimen, r, *group, 0);
+  group->advance();
+  ASSERT_FALSE(test->after_block());
+  test->interrupt();
+  const TestResult t = test->take_result();
+  EXPECT_EQ(t.outcome.status, Status::interrupted);
+  EXPECT_TRUE(t.wall.empty());
+  for (const char* name : {"closure", "closure_at_end", "breakout_depth_at_end"})
+    EXPECT_EQ(number(t, name).note, "the excavation did not begin") << name;
+}
+
 }  // namespace
 }  // namespace phy::lab

@@ -41,8 +41,10 @@ std::vector<Number> hoop_numbers(const OpeningReading& read, const std::string& 
   return out;
 }
 
-std::vector<Number> breakout_numbers(const analysis::Breakout* b, double radius, const std::string& suffix,
-                                     const std::string& when, const std::string& note) {
+std::vector<Number> breakout_numbers(const std::optional<OpeningState>& state, double radius,
+                                     const std::string& suffix, const std::string& when,
+                                     const std::string& note) {
+  const analysis::Breakout* const b = state ? &state->breakout : nullptr;
   const bool any = b != nullptr && b->depth > 0.0;
   const double depth = b == nullptr ? nan : b->depth / radius;
   const std::string none = b == nullptr ? note : any ? "" : "no breakout";
@@ -83,10 +85,14 @@ std::vector<Number> opening_numbers(const History& history, const std::vector<Cr
                                     const OpeningReading& read, double diameter) {
   const History own = borne(history);
   analysis::LoadingBranch branch = analysis::loading_branch(own);
-  const bool closed = read.at_end.closure > collapsed;
+  const bool closed = read.at_end && read.at_end->closure > collapsed;
   // What closes ends the test while the stress may still rise.
   branch.peaked = branch.peaked || (closed && !branch.empty());
-  const std::string stood = read.standing ? "" : closed ? "it did not stand" : "it did not come to rest";
+  const std::string begun = read.at_end ? "" : "the excavation did not begin";
+  const std::string stood = read.standing ? ""
+                            : closed      ? "it did not stand"
+                            : read.at_end ? "it did not come to rest"
+                                          : begun;
   std::vector<Number> out = analysis::strength(branch);
   Number& collapse = out.front();
   collapse.definition =
@@ -98,11 +104,11 @@ std::vector<Number> opening_numbers(const History& history, const std::vector<Cr
   out.insert(out.begin() + 1, std::move(factor));
   out.push_back({"closure", read.standing ? read.standing->closure : nan, "1",
                  "mean displacement of the wall inwards when it stood / radius", stood});
-  out.push_back({"closure_at_end", read.at_end.closure, "1", "the same when the test ended", ""});
+  out.push_back({"closure_at_end", read.at_end ? read.at_end->closure : nan, "1",
+                 "the same when the test ended", begun});
   analysis::add(out, hoop_numbers(read, stood));
-  analysis::add(out, breakout_numbers(read.standing ? &read.standing->breakout : nullptr, read.radius, "",
-                                      " when it stood", stood));
-  analysis::add(out, breakout_numbers(&read.at_end.breakout, read.radius, "_at_end", " at the end", ""));
+  analysis::add(out, breakout_numbers(read.standing, read.radius, "", " when it stood", stood));
+  analysis::add(out, breakout_numbers(read.at_end, read.radius, "_at_end", " at the end", begun));
   out.push_back({"hole_diameter", 2.0 * read.radius, "m", "diameter of the opening", ""});
   out.push_back({"hoop_distance", 0.5 * (hoop_ring[0] + hoop_ring[1]) * diameter, "m",
                  "from the wall to the middle of the ring that the hoop stress is a mean of", ""});

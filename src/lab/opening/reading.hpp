@@ -43,7 +43,7 @@ OpeningState opening_state(const Specimen& specimen, const OpeningBegin& begin, 
 struct OpeningReading {
   double vertical_stress = 0.0, radius = 0.0;  ///< [Pa], [m]
   std::optional<OpeningState> standing;        ///< none: it did not stand
-  OpeningState at_end;
+  std::optional<OpeningState> at_end;          ///< none: the excavation did not begin
 };
 
 /// All numbers above and those that every test has; `diameter`: of a mean grain [m].
