@@ -72,9 +72,10 @@ double fewest_joints(const Specimen& s) {
 }  // namespace
 
 Number broken_at_start(const Specimen& specimen, const std::vector<CrackEvent>& cracks, std::int64_t step) {
-  Number share{"broken_at_start", nan, "1",
-               "share of the matrix bonds that the confining or normal stress broke before loading began",
-               ""};
+  Number share{
+      "broken_at_start", nan, "1",
+      "share of the matrix bonds that the confining, normal or far-field stress broke before loading began",
+      ""};
   // Pairs and not cracks: a bond of four elements breaks four times.
   std::set<std::pair<std::uint32_t, std::uint32_t>> bonds;
   for (const Contact& c : specimen.contacts)

@@ -57,8 +57,9 @@ const std::vector<QualityLimit>& quality_limits() {
       // At 0.01 E of small strain is 40 % lower; from 0.1 on it is that of loose grains
       // (docs/reliability.md).
       {"broken_at_start",
-       "share of the matrix bonds that the confining or normal stress breaks before loading", false, 0.01,
-       0.1, "the confining or normal stress broke this share of the bonds before the test",
+       "share of the matrix bonds that the confining, normal or far-field stress breaks before loading",
+       false, 0.01, 0.1,
+       "the confining, normal or far-field stress broke this share of the bonds before the test",
        "lower this stress, or raise the strengths of [matrix] and [[bedding]]"},
       {"slow_share",
        "part of the way to the peak, in strain, behind a fast approach (`test.approach_strain`)", true, 0.2,

@@ -1,7 +1,7 @@
 #include "report/opening_figures.hpp"
 
+#include "analysis/analyse.hpp"
 #include "base/exact_math.hpp"
-#include "report/curves.hpp"
 #include "report/run_figures.hpp"
 #include "theory/opening.hpp"
 
@@ -34,12 +34,20 @@ Series around(const TestResult& r, WallMoment moment, Series s, const Value& val
 
 Axis direction() { return {"direction from the horizontal", "deg", 0.0, 360.0, 90.0}; }
 
+double number_of(const SpecimenRecord& t, const char* name) {
+  const Number* n = analysis::find(t.result.numbers, name);
+  return n != nullptr ? n->value : nan;
+}
+
 Panel hoop_panel(const SpecimenRecord& t) {
   Panel panel{heading(t.result), "", direction(), Axis{"hoop stress behind the wall", "MPa"}};
   panel.series.push_back(around(t.result, WallMoment::standing, {"model", Mark::points, Role::model},
                                 [](const WallPoint& p) { return MPa * p.hoop; }));
   const TestRecipe& test = t.recipe.test;
-  const double radius = 0.5 * value_of(t, "hole_diameter"), r = radius + value_of(t, "hoop_distance");
+  // Where it is, is certain of an untrusted test too.
+  const double radius = 0.5 * number_of(t, "hole_diameter"), r = radius + number_of(t, "hoop_distance");
+  // A folder that somebody has changed may not say.
+  if (!(radius > 0.0) || !(r > radius)) return panel;
   Series theory{"Kirsch, isotropic", Mark::line, Role::theory};
   const Vec2 far = test.far_field();
   const theory::Opening opening{radius, {far.x, far.y, 0.0}, test.internal_pressure};

@@ -39,6 +39,16 @@ TEST(OpeningFigures, ShowStressOverClosureAndTheRockAround) {
   EXPECT_EQ(breakout.series[1].points[0].y, 2.0) << "mm";
 }
 
+// An untrusted test has no numbers for a reader, but its opening is where it is; without a number there is no
+// line.
+TEST(OpeningFigures, OfAnUntrustedTestAreDrawn) {
+  RunRecord run = excavated();
+  run.tests[0].result.outcome.status = Status::untrusted;
+  EXPECT_EQ(opening_figure(run).panels[1].series.size(), 2U);
+  run.tests[0].result.numbers.clear();
+  EXPECT_EQ(opening_figure(run).panels[1].series.size(), 1U);
+}
+
 TEST(OpeningFigures, OfOtherTestsAreRefused) {
   EXPECT_TRUE(opening_figure({}).panels.empty());
   FigureData data;

@@ -30,6 +30,7 @@ namespace {
 
 constexpr double quiet = 1e-3;                // mean unbalanced force / mean contact force
 constexpr std::int64_t most_waiting = 40000;  // cycles, for an excavated opening to come to rest
+constexpr double first_wave = 2e-4;           // strain in which walls that start to move get their stress
 constexpr double most_strain = 0.05;          // beyond, the block has failed before there is an opening
 
 class OpeningTest final : public Procedure {
@@ -44,7 +45,9 @@ class OpeningTest final : public Procedure {
   void prescribe_motion() override;
   void read_more(HistoryRow& row) override;
   bool after_row() override;
-  bool may_peak() const override { return stage_ == Stage::raising; }
+  bool may_peak() const override {
+    return stage_ == Stage::raising && latest_row().axial_strain > raised_from_ + first_wave;
+  }
   void finish() override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
@@ -64,6 +67,7 @@ class OpeningTest final : public Procedure {
   double excavated_ = 0.0;  // share of the traction on the wall of the hole that is taken away
   double swept_ = 0.0;      // by the wall when the excavation begins [m^2]
   std::int64_t n_waited_ = 0;
+  double raised_from_ = 0.0;  // strain
   std::optional<OpeningState> standing_, at_end_;
 };
 
@@ -138,6 +142,7 @@ bool OpeningTest::stand() {
     return end(Status::not_peaked, "nothing can break: the opening stands",
                "set matrix.unbreakable = false to get a collapse stress");
   stage_ = Stage::raising;
+  raised_from_ = latest_row().axial_strain;
   prescribe_motion();
   return false;
 }
