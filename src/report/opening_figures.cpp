@@ -1,7 +1,7 @@
 #include "report/opening_figures.hpp"
 
-#include "analysis/analyse.hpp"
 #include "base/exact_math.hpp"
+#include "base/nan.hpp"
 #include "report/run_figures.hpp"
 #include "theory/opening.hpp"
 
@@ -35,8 +35,9 @@ Series around(const TestResult& r, WallMoment moment, Series s, const Value& val
 Axis direction() { return {"direction from the horizontal", "deg", 0.0, 360.0, 90.0}; }
 
 double number_of(const SpecimenRecord& t, const char* name) {
-  const Number* n = analysis::find(t.result.numbers, name);
-  return n != nullptr ? n->value : nan;
+  for (const Number& n : t.result.numbers)
+    if (n.name == name) return n.value;
+  return nan;
 }
 
 Panel hoop_panel(const SpecimenRecord& t) {
