@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <string>
 #include <type_traits>
 
 #include "base/check.hpp"
@@ -56,12 +58,20 @@ class PolyData {
   std::string raw_;
 };
 
+/// Tags of arrays that follow one another. In braces they are made from left to right; with `+` every
+/// compiler has an order of its own, and the same numbers would be other files.
+std::string in_order(std::initializer_list<std::string> tags) {
+  std::string all;
+  for (const std::string& tag : tags) all += tag;
+  return all;
+}
+
 /// connectivity 0 1 2 ... and offsets step, 2 step, ...
 std::string cells(PolyData& file, std::size_t n_cells, std::int64_t step,
                   const std::vector<std::int64_t>& connectivity) {
   std::vector<std::int64_t> offsets;
   for (std::size_t i = 1; i <= n_cells; ++i) offsets.push_back(static_cast<std::int64_t>(i) * step);
-  return file.array("connectivity", 1, connectivity) + file.array("offsets", 1, offsets);
+  return in_order({file.array("connectivity", 1, connectivity), file.array("offsets", 1, offsets)});
 }
 
 std::vector<std::int64_t> counting(std::size_t n) {
@@ -100,9 +110,9 @@ std::string grains_vtp(const Packing& packing, const Snapshot& shot) {
   // One vertex per grain: without cells ParaView draws nothing.
   const std::string verts = cells(file, n, 1, counting(n));
   const std::string lines = cells(file, 0, 2, {});
-  const std::string data = file.array("radius [m]", 1, radius) +
-                           file.array("displacement [m]", 3, displacement) +
-                           file.array("rotation [rad]", 1, rotation);
+  const std::string data =
+      in_order({file.array("radius [m]", 1, radius), file.array("displacement [m]", 3, displacement),
+                file.array("rotation [rad]", 1, rotation)});
   return file.render(points, verts, lines, data, "");
 }
 
@@ -118,8 +128,8 @@ std::string contacts_vtp(const Packing& packing, const Snapshot& shot) {
   const std::string points = file.array("points", 3, grain_points(packing, shot));
   const std::string verts = cells(file, 0, 1, {});
   const std::string lines = cells(file, shot.contacts.size(), 2, ends);
-  const std::string data = file.array("F_n [N/m]", 1, F_n) + file.array("F_s [N/m]", 1, F_s) +
-                           file.array("kind", 1, kind) + file.array("broken", 1, broken);
+  const std::string data = in_order({file.array("F_n [N/m]", 1, F_n), file.array("F_s [N/m]", 1, F_s),
+                                     file.array("kind", 1, kind), file.array("broken", 1, broken)});
   return file.render(points, verts, lines, "", data);
 }
 
@@ -139,9 +149,9 @@ std::string cracks_vtp(const std::vector<CrackEvent>& cracks, TestKind kind) {
   const std::string verts = cells(file, 0, 1, {});
   const std::string lines = cells(file, cracks.size(), 2, counting(2 * cracks.size()));
   const std::string data =
-      file.array("mode", 1, mode) + file.array("place", 1, place) +
-      file.array(kind->loads_by_strain() ? "strain" : heading(kind->loading_column()), 1, strain) +
-      file.array("energy [J per m]", 1, energy);
+      in_order({file.array("mode", 1, mode), file.array("place", 1, place),
+                file.array(kind->loads_by_strain() ? "strain" : heading(kind->loading_column()), 1, strain),
+                file.array("energy [J per m]", 1, energy)});
   return file.render(points, verts, lines, "", data);
 }
 
@@ -166,11 +176,11 @@ std::string events_vtp(const std::vector<AcousticEvent>& events, TestKind kind) 
   const std::string verts = cells(file, n, 1, counting(n));
   const std::string lines = cells(file, 0, 2, {});
   const std::string way = kind->loads_by_strain() ? "strain" : heading(kind->loading_column());
-  const std::string data = file.array("time [s]", 1, time) + file.array(way, 1, strain) +
-                           file.array("n_cracks", 1, cracks) + file.array("moment [N]", 1, moment) +
-                           file.array("magnitude", 1, magnitude) + file.array("volume share [%]", 1, share) +
-                           file.array("source", 1, type) + file.array("energy [J per m]", 1, energy) +
-                           file.array("moment tensor [N]", 9, tensor);
+  const std::string data = in_order(
+      {file.array("time [s]", 1, time), file.array(way, 1, strain), file.array("n_cracks", 1, cracks),
+       file.array("moment [N]", 1, moment), file.array("magnitude", 1, magnitude),
+       file.array("volume share [%]", 1, share), file.array("source", 1, type),
+       file.array("energy [J per m]", 1, energy), file.array("moment tensor [N]", 9, tensor)});
   return file.render(points, verts, lines, data, "");
 }
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -51,6 +52,17 @@ TEST(Vtk, GrainsCarryPresentPlaceRadiusDisplacementAndRotation) {
   EXPECT_EQ(array_of<double>(f, "rotation [rad]"), (std::vector<double>{0.3, -0.3}));
   EXPECT_EQ(array_of<std::int64_t>(f, "connectivity"), (std::vector<std::int64_t>{0, 1}));
   EXPECT_EQ(array_of<std::int64_t>(f, "offsets"), (std::vector<std::int64_t>{1, 2}));
+}
+
+TEST(Vtk, ArraysLieInTheFileAsTheyAreNamedWhateverTheCompiler) {
+  const std::string f = grains_vtp(two_discs(), shot());
+  const std::string data = f.substr(0, f.find("</PointData>"));
+  const std::regex offset("offset=\"([0-9]+)\"");
+  std::vector<int> offsets;
+  for (std::sregex_iterator i(data.begin(), data.end(), offset), end; i != end; ++i)
+    offsets.push_back(std::stoi((*i)[1]));
+  EXPECT_EQ(offsets.size(), 3U);
+  EXPECT_TRUE(std::ranges::is_sorted(offsets));
 }
 
 TEST(Vtk, ContactsAreLinesBetweenCentres) {
