@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "base/exact_math.hpp"
@@ -135,6 +136,23 @@ TEST(Opening, HasADirectionOfBreakoutWhereThereIsAnAxis) {
   EXPECT_TRUE(std::isnan(number(apart, "breakout_direction").value));
   EXPECT_EQ(number(apart, "breakout_direction_at_end").note, "on no clear axis");
   EXPECT_EQ(number(apart, "breakout_depth").value, 0.25);
+}
+
+TEST(Opening, CracksOfTheFarFieldAreNoneOfTheExcavation) {
+  History history;
+  history.kind = TestKind("opening");
+  for (const auto& [step, strain, stress] :
+       {std::array{100.0, 0.0, 0.0}, {200.0, 1e-4, 10e6}, {300.0, 2e-4, 20e6}, {400.0, 3e-4, 5e6}}) {
+    HistoryRow& row = history.rows.emplace_back();
+    row.step = step, row.axial_strain = strain, row.borne_stress = stress;
+  }
+  std::vector<CrackEvent> cracks(7);
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    cracks[i].step = i < 4 ? 50 : 250, cracks[i].strain = i < 4 ? -1e-5 : 1.5e-4;
+  TestResult t;
+  t.numbers = opening_numbers(history, cracks, {20e6, 4e-3, true, {}, {}, {}}, 0.5e-3);
+  EXPECT_NEAR(number(t, "sigma_ci").value, 15e6, 1.0);
+  EXPECT_NEAR(number(t, "sigma_first_crack").value, 15e6, 1.0);
 }
 
 // A stress that the rock does not bear without an opening, or a user who stops early: there is no wall to

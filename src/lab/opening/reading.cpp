@@ -60,6 +60,15 @@ std::vector<Number> breakout_numbers(const std::optional<OpeningState>& state, d
        "broken wall" + when + ", mean of both sides", none}};
 }
 
+/// What the far field broke before there was an opening began at none of the stresses that it bears.
+std::vector<Number> initiation(const analysis::LoadingBranch& branch, std::vector<CrackEvent> cracks) {
+  const double begun = branch.empty() ? 0.0 : branch.rows.front().step;
+  std::erase_if(cracks, [&](const CrackEvent& c) { return static_cast<double>(c.step) <= begun; });
+  std::vector<Number> out = analysis::crack_initiation(branch, cracks, 0.0);
+  for (Number& n : out) n.definition += "; since the excavation began";
+  return out;
+}
+
 }  // namespace
 
 OpeningState opening_state(const Specimen& specimen, const OpeningBegin& begin, const Snapshot& now,
@@ -117,7 +126,7 @@ std::vector<Number> opening_numbers(const History& history, const std::vector<Cr
   out.push_back({"hoop_distance", 0.5 * (hoop_ring[0] + hoop_ring[1]) * diameter, "m",
                  "from the wall to the middle of the ring that the hoop stress is a mean of", ""});
   out.push_back({"grains_in_radius", read.radius / diameter, "1", "radius / mean grain diameter", ""});
-  analysis::add(out, analysis::crack_initiation(branch, cracks, 0.0));
+  analysis::add(out, initiation(branch, cracks));
   analysis::add(out, analysis::common_numbers(own, branch, cracks, read.path));
   // While it is excavated, no strain of the block leads to the collapse.
   if (!read.raised) std::erase_if(out, [](const Number& n) { return n.name == "wave_transits"; });
