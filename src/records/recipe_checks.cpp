@@ -349,12 +349,33 @@ class CrossChecks {
     if (const KeptStress& kept = t.kind->kept_stress; kept.needed && t.*kept.value == 0.0)
       report_value({std::string("test.") + kept.key, "test.kind"}, "0", "above 0 for this kind of test",
                    "give the stress at the depth of the opening");
-    if (const double hole = cut().hole; 2.0 * hole > std::min(r_.specimen.width, r_.specimen.height))
-      report_value(with({"test.opening_diameter"}, box), length(hole), "at most half of the smaller side",
-                   "the block is to stand for rock without an end: use a larger one");
     if (t.pre_strain > 0.0 && !t.kind->may_pre_strain)
       report_problem({"test.pre_strain", "test.kind"}, "0 for this kind of test",
                      "only the uniaxial press can start loaded");
+    if (cut().hole > 0.0) opening(cut().hole);
+  }
+
+  void opening(double diameter) {
+    const TestRecipe& t = r_.test;
+    const double least = min_opening * 2.0 * r_.packing.radius_max;
+    if (diameter < least && has_own_grains())
+      report_value(with({"test.opening_diameter"}, radii), length(diameter),
+                   "at least two largest grain diameters, " + length(least),
+                   "whole grains are taken out; use a larger opening, or smaller grains");
+    if (2.0 * diameter > std::min(r_.specimen.width, r_.specimen.height))
+      report_value(with({"test.opening_diameter"}, box), length(diameter), "at most half of the smaller side",
+                   "the block is to stand for rock without an end: use a larger one");
+    if (t.platen_friction > 0.0)
+      report_problem({"test.platen_friction", "test.kind"}, "0 for this kind of test",
+                     "walls with friction would hold the rock: leave it out");
+    // Sides that follow the vertical stress by more than itself drive it: it would rise with no platen
+    // moving.
+    if (t.horizontal_stress > t.vertical_stress && t.vertical_stress > 0.0 && !r_.matrix.unbreakable)
+      report_problem(
+          {"test.horizontal_stress", "test.vertical_stress", "matrix.unbreakable"},
+          "at most vertical_stress = " + print_quantity(t.vertical_stress, Dimension::pressure),
+          "bottom and top load the rock until it fails: turn the block by 90 deg, that is exchange "
+          "both stresses, and let layers lie at 90 deg - theta");
   }
 
   /// Rock that has to be left beside what is taken out of the middle [m].

@@ -59,6 +59,10 @@ Figure event_places(const FigureData& data) { return with_events(event_places_fi
 Figure openings(const FigureData& data) {
   Figure figure = opening_figure(data.run);
   if (!figure.panels.empty()) return figure;
+  for (const SpecimenRecord& t : data.run.tests)
+    if (t.recipe.test.kind == TestKind("opening"))
+      throw InputError(Problem{"result", "", t.result.name, "an opening that was excavated",
+                               t.result.outcome.reason + "; " + t.result.outcome.advice});
   throw InputError(Problem{"result", "opening.csv", "", "openings under stress",
                            "run a recipe with kind = \"opening\" in [test]"});
 }

@@ -184,6 +184,8 @@ std::string end_of(const SpecimenRecord& test) {
   if (outcome.status != Status::peaked || rows.empty())
     return to_string(outcome.status) + (outcome.reason.empty() ? "" : ", " + outcome.reason);
   const TestCurve& axes = t.kind->curve;
+  // The wall of an opening is asked before its stress is, and its sentence has the limit.
+  if (rows.back().closure > 0.0 && outcome.reason.starts_with("closure of")) return outcome.reason;
   if (t.kind->runs_to_end)
     return fmt::format("past the peak, at the full {} of {:.3g} {}", axes.strain,
                        axes.strain_of(rows.back()) * axes.strain_factor, axes.strain_unit);
@@ -231,11 +233,12 @@ std::string loading_text(const RunRecord& run) {
     // Specimens of one packing have other joints, and the stiffest contact decides the step.
     least = std::min(least, other.result.dt), most = std::max(most, other.result.dt);
   const Recipe& r = t.recipe;
+  std::string step = fmt::format("{:.3g}", least);
+  if (const std::string longest = fmt::format("{:.3g}", most); longest != step) step += " to " + longest;
   return fmt::format(
-      "{} The explicit time step was {:.3g} to {:.3g} s ({:g} of the proven stable step), local damping "
-      "{:g}, {} "
+      "{} The explicit time step was {} s ({:g} of the proven stable step), local damping {:g}, {} "
       "precision.{} {}",
-      r.test.kind->loading_text(r), least, most, r.engine.step_safety, r.engine.damping,
+      r.test.kind->loading_text(r), step, r.engine.step_safety, r.engine.damping,
       r.engine.precision == Precision::double_precision ? "double" : "single", inertia_text(r),
       ends_text(run));
 }

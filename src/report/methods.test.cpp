@@ -62,6 +62,25 @@ TEST(Methods, AnOpeningIsSaid) {
   EXPECT_THAT(text(), HasSubstr("from the horizontal and 2 mm wide. The"));
 }
 
+// How a test of an opening ended is said of each alone, and nothing of a stress that was never raised.
+TEST(Methods, OpeningsEndAsTheyDid) {
+  Recipe r;
+  r.test.kind = TestKind("opening");
+  r.test.vertical_stress = 20e6;
+  r.bedding.resize(1);
+  SpecimenRecord closed = test_of(
+      r, "theta = 0 deg",
+      {Status::peaked, "closure of 5.1 % of the radius when 80 % of it was excavated", ""}, {{1e-3, 50}});
+  closed.result.history.rows.back().closure = 0.051;
+  EXPECT_THAT(methods({closed}),
+              AllOf(HasSubstr("theta = 0 deg: closure of 5.1 % of the radius when 80 %"),
+                    HasSubstr("Where it stood, bottom and top then approached at"),
+                    HasSubstr("inclination of the planes from the horizontal."), Not(HasSubstr("exceeded"))));
+  r.matrix.unbreakable = true;
+  EXPECT_THAT(methods({test_of(r, "theta = 0 deg", {Status::not_peaked, "it stands", ""}, {{1e-3, 50}})}),
+              AllOf(HasSubstr("a test ended when its opening stood"), Not(HasSubstr("approached"))));
+}
+
 TEST(Methods, RadiiHaveFourDigits) {
   Recipe r;
   r.packing.n_grains = 684, r.packing.radius_min = 0.25e-3 * 3.30712345678901,

@@ -55,5 +55,22 @@ TEST(OpeningFigures, OfOtherTestsAreRefused) {
   EXPECT_THROW(figure_kind("opening").make(data), InputError);
 }
 
+// One that was never excavated is an opening all the same: its own end says why there is nothing to draw.
+TEST(OpeningFigures, WithoutAnExcavationSayWhatEndedTheTest) {
+  FigureData data;
+  data.run = excavated();
+  SpecimenRecord& t = data.run.tests[0];
+  t.result.wall.clear();
+  t.result.outcome = {Status::not_peaked, "strain 5.0 % before the far-field stress was reached", "lower it"};
+  try {
+    figure_kind("opening").make(data);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("before the far-field stress was reached; lower it"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace phy::report

@@ -55,6 +55,7 @@ class OpeningTest final : public Procedure {
   void load_edges(Vec2 stress);
   void support_hole(double excavated);
   bool stand();
+  bool end_widened(double closure);
   OpeningState state(WallMoment moment) const {
     return opening_state(*specimen_, begin_, group_->snapshot(lane_), latest_row(), moment);
   }
@@ -147,14 +148,23 @@ bool OpeningTest::stand() {
   return false;
 }
 
+/// Rock that a pressure above its own stress has burst moves outwards without an end.
+bool OpeningTest::end_widened(double closure) {
+  return end(Status::not_peaked,
+             fmt::format("widening by {:.1f} % of the radius under the internal pressure", -100.0 * closure),
+             "lower test.internal_pressure");
+}
+
 bool OpeningTest::after_row() {
   const HistoryRow& row = latest_row();
+  if (row.closure < -collapsed && stage_ != Stage::raising && recipe_.test.internal_pressure > 0.0)
+    return end_widened(row.closure);
   if (row.closure > collapsed)
     return end(Status::peaked,
                excavated_ < 1.0
-                   ? fmt::format("closed by {:.1f} % of the radius when {:.0f} % of it was excavated",
+                   ? fmt::format("closure of {:.1f} % of the radius when {:.0f} % of it was excavated",
                                  100.0 * row.closure, 100.0 * excavated_)
-                   : fmt::format("closed by {:.1f} % of the radius under a vertical stress of {:.2f} MPa",
+                   : fmt::format("closure of {:.1f} % of the radius under a vertical stress of {:.2f} MPa",
                                  100.0 * row.closure, row.axial_stress * 1e-6),
                "");
   switch (stage_) {
@@ -176,8 +186,8 @@ void OpeningTest::finish() {
   result_.wall.insert(result_.wall.end(), at_end_->points.begin(), at_end_->points.end());
 }
 
-std::vector<Number> OpeningTest::numbers(const analysis::WavePath& /*no modulus is read*/) const {
-  const OpeningReading read{far_.y, begin_.place.radius, standing_, at_end_};
+std::vector<Number> OpeningTest::numbers(const analysis::WavePath& path) const {
+  const OpeningReading read{far_.y, begin_.place.radius, stage_ == Stage::raising, standing_, at_end_, path};
   return opening_numbers(result_.history, result_.cracks, read, analysis::grain_diameter(*specimen_));
 }
 
@@ -187,13 +197,17 @@ std::string loading_text_of(const Recipe& r) {
   return fmt::format(
       "Bottom and top walls without friction brought up a vertical stress of {}, and a pressure on the sides "
       "a horizontal stress of {}. "
-      "The opening of {} in the middle was then excavated by relaxation, {}. Afterwards bottom and top "
-      "approached at {}, the ratio of the stresses being kept, until it collapsed.",
+      "The opening of {} in the middle was then excavated by relaxation, {}. {}",
       stress(t.vertical_stress), stress(t.far_field().x),
       print_quantity(opening_diameter(r), Dimension::length),
-      t.internal_pressure > 0.0 ? "down to an internal pressure of " + stress(t.internal_pressure)
+      t.internal_pressure > 0.0 ? "with an internal pressure of " + stress(t.internal_pressure)
                                 : std::string("without internal pressure"),
-      speed_text(t));
+      r.matrix.unbreakable
+          ? std::string("Nothing could break, and a test ended when its opening stood.")
+          : fmt::format(
+                "Where it stood, bottom and top then approached at {}, the ratio of the stresses being "
+                "kept.",
+                speed_text(t)));
 }
 
 HistoryColumns columns() {
@@ -230,7 +244,7 @@ TestDescription description() {
   d.may_approach = false;  // what is read begins with the first row
   d.kept_stress = {"vertical_stress", &TestRecipe::vertical_stress, true};
   d.loading_text = loading_text_of;
-  d.load_on_box = "", d.load_on_bedding = ", from the horizontal";
+  d.load_on_box = d.load_on_bedding = "";
   return d;
 }
 

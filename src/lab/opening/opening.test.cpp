@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "base/exact_math.hpp"
+#include "lab/opening/reading.hpp"
 #include "lab/procedure_fixture.hpp"
 
 namespace phy::lab {
@@ -44,6 +46,21 @@ TEST(Opening, FullySupportedDoesNotMove) {
   EXPECT_NEAR(mean_of(held, &WallPoint::hoop) / 20e6, 1.0, 0.1);
   EXPECT_NEAR(mean_of(held, &WallPoint::radial) / 20e6, 1.0, 0.05);
   EXPECT_LT(number(bare, "energy_error").value, 1e-3);
+  for (const TestResult* t : {&bare, &held}) {
+    EXPECT_TRUE(std::isnan(number(*t, "collapse_stress").value)) << "it stands";
+    EXPECT_EQ(t->outcome.reason, "nothing can break: the opening stands");
+  }
+}
+
+// A pressure far above the stress of the rock bursts it, and there is nothing left to raise.
+TEST(Opening, BurstsUnderAPressureAboveItsStress) {
+  Recipe r = block(20e6, 20e6);
+  r.test.internal_pressure = 150e6;
+  const TestResult t = run_alone(r);
+  EXPECT_EQ(t.outcome.status, Status::not_peaked) << t.outcome.reason;
+  EXPECT_NE(t.outcome.reason.find("widening by 5."), std::string::npos) << t.outcome.reason;
+  EXPECT_LT(number(t, "closure_at_end").value, -0.05);
+  EXPECT_TRUE(std::isnan(number(t, "collapse_stress").value));
 }
 
 // In proportion: the same rock under twice the stress closes by twice as much.
@@ -70,6 +87,10 @@ TEST(Opening, CollapsesWhenTheStressIsRaised) {
   EXPECT_EQ(number(t, "breakout_depth").value, 0.0) << "it stood";
   EXPECT_GT(number(t, "breakout_depth_at_end").value, 0.0);
   EXPECT_LT(number(t, "energy_error").value, 1e-3);
+  // Strength grows with the speed of the walls: the quality marks have to see it.
+  EXPECT_GT(number(t, "wave_transits").value, 10.0);
+  r.test.platen_speed *= 4.0;
+  EXPECT_LT(number(run_alone(r), "wave_transits").value, 0.5 * number(t, "wave_transits").value);
   double most = 0.0;
   for (const HistoryRow& row : t.history.rows) {
     EXPECT_GE(row.excavated, most) << "what is taken away stays away";
@@ -88,12 +109,50 @@ TEST(Opening, OfWeakRockDoesNotStand) {
   const TestResult t = run_alone(r);
   ASSERT_EQ(t.outcome.status, Status::peaked) << t.outcome.reason;
   EXPECT_LE(number(t, "collapse_factor").value, 1.0) << t.outcome.reason;
-  EXPECT_EQ(t.outcome.reason.find("closed by 5."), 0U) << t.outcome.reason;
+  EXPECT_EQ(t.outcome.reason.find("closure of 5."), 0U) << t.outcome.reason;
   EXPECT_TRUE(std::isnan(number(t, "closure").value));
   EXPECT_EQ(number(t, "closure").note, "it did not stand");
   // With a support it stands.
   r.test.internal_pressure = 30e6;
   EXPECT_TRUE(std::isfinite(number(run_alone(r), "closure").value));
+}
+
+// The mean of two pieces that fell far apart is a direction in which nothing fell.
+TEST(Opening, HasADirectionOfBreakoutWhereThereIsAnAxis) {
+  const auto numbers = [](const std::vector<double>& at) {
+    std::vector<double> depths(n_wall_sectors, 0.0);
+    for (const double angle : at) depths[static_cast<std::size_t>(angle / 10.0)] = 1e-3;
+    OpeningState state;
+    for (int k = 0; k < n_wall_sectors; ++k) state.points.push_back({WallMoment::standing, 10.0 * k});
+    state.breakout = analysis::breakout_of(depths, 1e-4);
+    History history;
+    history.kind = TestKind("opening");
+    TestResult t;
+    t.numbers = opening_numbers(history, {}, {20e6, 4e-3, false, state, state, {}}, 0.5e-3);
+    return t;
+  };
+  const TestResult sides = numbers({0.0, 10.0, 180.0, 350.0}), apart = numbers({50.0, 160.0});
+  EXPECT_NEAR(std::fmod(number(sides, "breakout_direction").value + 90.0, 180.0), 90.0, 5.0);
+  EXPECT_TRUE(std::isnan(number(apart, "breakout_direction").value));
+  EXPECT_EQ(number(apart, "breakout_direction_at_end").note, "on no clear axis");
+  EXPECT_EQ(number(apart, "breakout_depth").value, 0.25);
+}
+
+TEST(Opening, CracksOfTheFarFieldAreNoneOfTheExcavation) {
+  History history;
+  history.kind = TestKind("opening");
+  for (const auto& [step, strain, stress] :
+       {std::array{100.0, 0.0, 0.0}, {200.0, 1e-4, 10e6}, {300.0, 2e-4, 20e6}, {400.0, 3e-4, 5e6}}) {
+    HistoryRow& row = history.rows.emplace_back();
+    row.step = step, row.axial_strain = strain, row.borne_stress = stress;
+  }
+  std::vector<CrackEvent> cracks(7);
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    cracks[i].step = i < 4 ? 50 : 250, cracks[i].strain = i < 4 ? -1e-5 : 1.5e-4;
+  TestResult t;
+  t.numbers = opening_numbers(history, cracks, {20e6, 4e-3, true, {}, {}, {}}, 0.5e-3);
+  EXPECT_NEAR(number(t, "sigma_ci").value, 15e6, 1.0);
+  EXPECT_NEAR(number(t, "sigma_first_crack").value, 15e6, 1.0);
 }
 
 // A stress that the rock does not bear without an opening, or a user who stops early: there is no wall to

@@ -11,6 +11,9 @@
 namespace phy::lab {
 namespace {
 
+/// Clarity of a breakout on both sides, 109 degrees wide: a wider one, or two far apart, points nowhere.
+constexpr double clear_axis = 0.5;
+
 /// The history of the stress that the opening bears: what every test reads of its own stress.
 History borne(History history) {
   for (HistoryRow& row : history.rows) row.axial_stress = row.borne_stress;
@@ -45,16 +48,25 @@ std::vector<Number> breakout_numbers(const std::optional<OpeningState>& state, d
                                      const std::string& suffix, const std::string& when,
                                      const std::string& note) {
   const analysis::Breakout* const b = state ? &state->breakout : nullptr;
-  const bool any = b != nullptr && b->depth > 0.0;
+  const bool any = b != nullptr && b->depth > 0.0, axis = any && b->clarity >= clear_axis;
   const double depth = b == nullptr ? nan : b->depth / radius;
   const std::string none = b == nullptr ? note : any ? "" : "no breakout";
   return {
       {"breakout_depth" + suffix, depth, "1", "depth of rock without a bond to the rest" + when + " / radius",
        std::isinf(depth) ? "through to the outside" : note},
-      {"breakout_direction" + suffix, any ? b->direction : nan, "deg",
-       "its direction, from the horizontal, anticlockwise", none},
+      {"breakout_direction" + suffix, axis ? b->direction : nan, "deg",
+       "its direction, from the horizontal, anticlockwise", any && !axis ? "on no clear axis" : none},
       {"breakout_width" + suffix, any ? 0.5 * (b->width[0] + b->width[1]) : nan, "deg",
        "broken wall" + when + ", mean of both sides", none}};
+}
+
+/// What the far field broke before there was an opening began at none of the stresses that it bears.
+std::vector<Number> initiation(const analysis::LoadingBranch& branch, std::vector<CrackEvent> cracks) {
+  const double begun = branch.empty() ? 0.0 : branch.rows.front().step;
+  std::erase_if(cracks, [&](const CrackEvent& c) { return static_cast<double>(c.step) <= begun; });
+  std::vector<Number> out = analysis::crack_initiation(branch, cracks, 0.0);
+  for (Number& n : out) n.definition += "; since the excavation began";
+  return out;
 }
 
 }  // namespace
@@ -86,8 +98,9 @@ std::vector<Number> opening_numbers(const History& history, const std::vector<Cr
   const History own = borne(history);
   analysis::LoadingBranch branch = analysis::loading_branch(own);
   const bool closed = read.at_end && read.at_end->closure > collapsed;
-  // What closes ends the test while the stress may still rise.
-  branch.peaked = branch.peaked || (closed && !branch.empty());
+  // What closes ends the test while the stress may still rise. An opening that only stands has borne its
+  // stress in more than one row, which is no fall.
+  branch.peaked = !branch.empty() && (closed || (read.raised && branch.peaked));
   const std::string begun = read.at_end ? "" : "the excavation did not begin";
   const std::string stood = read.standing ? ""
                             : closed      ? "it did not stand"
@@ -113,8 +126,10 @@ std::vector<Number> opening_numbers(const History& history, const std::vector<Cr
   out.push_back({"hoop_distance", 0.5 * (hoop_ring[0] + hoop_ring[1]) * diameter, "m",
                  "from the wall to the middle of the ring that the hoop stress is a mean of", ""});
   out.push_back({"grains_in_radius", read.radius / diameter, "1", "radius / mean grain diameter", ""});
-  analysis::add(out, analysis::crack_initiation(branch, cracks, 0.0));
-  analysis::add(out, analysis::common_numbers(own, branch, cracks, {}));
+  analysis::add(out, initiation(branch, cracks));
+  analysis::add(out, analysis::common_numbers(own, branch, cracks, read.path));
+  // While it is excavated, no strain of the block leads to the collapse.
+  if (!read.raised) std::erase_if(out, [](const Number& n) { return n.name == "wave_transits"; });
   // What has closed needs no fall of stress behind it to be sure.
   if (closed) std::erase_if(out, [](const Number& n) { return n.name == "peak_confirmed"; });
   return out;

@@ -8,13 +8,14 @@
 //   breakout_depth      when it stood: how deep rock without a bond to the rest reaches, over the radius
 //   breakout_width      of the wall that it takes, mean of the two sides [deg]
 //   ..._direction       from the horizontal, anticlockwise, 0 to 180 [deg]; as a caliper or borehole pictures
-//                       show it
+//                       show it; of a breakout only where it lies on an axis
 //   ..._at_end          the same when the test ended
 #pragma once
 #include <array>
 #include <optional>
 
 #include "analysis/branch.hpp"
+#include "analysis/energy.hpp"
 #include "analysis/opening_stress.hpp"
 
 namespace phy::lab {
@@ -42,8 +43,10 @@ OpeningState opening_state(const Specimen& specimen, const OpeningBegin& begin, 
 
 struct OpeningReading {
   double vertical_stress = 0.0, radius = 0.0;  ///< [Pa], [m]
+  bool raised = false;                         ///< it stood, and the stress was raised: it may have fallen
   std::optional<OpeningState> standing;        ///< none: it did not stand
   std::optional<OpeningState> at_end;          ///< none: the excavation did not begin
+  analysis::WavePath path;                     ///< between bottom and top
 };
 
 /// All numbers above and those that every test has; `diameter`: of a mean grain [m].
