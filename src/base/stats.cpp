@@ -1,6 +1,9 @@
 #include "base/stats.hpp"
 #include "base/nan.hpp"
 
+// A sum inside the gamma function that Boost has twice, for SSE2 in another order: one order for all
+// processors.
+#define BOOST_MATH_SPECIAL_FUNCTIONS_LANCZOS_SSE2
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>

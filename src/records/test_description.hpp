@@ -104,6 +104,7 @@ struct TestDescription {
   bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)
   bool may_approach = true;     ///< its bodies may be faster at first (test.approach_strain)
   bool may_harden = false;      ///< by compression: its strength may be a knee (analysis/strength_rule.hpp)
+  double closed_at = 0.0;       ///< closure of an opening that ends it, over the radius; 0: it has no opening
   KeptStress kept_stress = {};
   double TestRecipe::*friction = &TestRecipe::platen_friction;  ///< of the bodies that are rough
   ExpectedPeak expected = {};

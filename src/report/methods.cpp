@@ -184,8 +184,8 @@ std::string end_of(const SpecimenRecord& test) {
   if (outcome.status != Status::peaked || rows.empty())
     return to_string(outcome.status) + (outcome.reason.empty() ? "" : ", " + outcome.reason);
   const TestCurve& axes = t.kind->curve;
-  // The wall of an opening is asked before its stress is, and its sentence has the limit.
-  if (rows.back().closure > 0.0 && outcome.reason.starts_with("closure of")) return outcome.reason;
+  // The wall of an opening is asked before its stress is.
+  if (t.kind->closed_at > 0.0 && rows.back().closure > t.kind->closed_at) return outcome.reason;
   if (t.kind->runs_to_end)
     return fmt::format("past the peak, at the full {} of {:.3g} {}", axes.strain,
                        axes.strain_of(rows.back()) * axes.strain_factor, axes.strain_unit);

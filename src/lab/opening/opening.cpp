@@ -242,6 +242,7 @@ TestDescription description() {
       {"breakout", "depth/R", "breakout_depth", 1.0, 2}, {"breakout", "deg", "breakout_direction", 1.0, 0}};
   d.cut = [](const Recipe& r) { return SpecimenCut{.hole = opening_diameter(r)}; };
   d.may_approach = false;  // what is read begins with the first row
+  d.closed_at = collapsed;
   d.kept_stress = {"vertical_stress", &TestRecipe::vertical_stress, true};
   d.loading_text = loading_text_of;
   d.load_on_box = d.load_on_bedding = "";
