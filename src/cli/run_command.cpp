@@ -304,7 +304,8 @@ void add_specimen_command(CLI::App& app, Session& session) {
     for (std::size_t i = 1; i < made.specimens.size(); ++i)
       print_bedding(*made.specimens[i], session.terminal_width);
     if (!out->empty()) {
-      io::write_output(discs, io::discs_csv(*made.packing));
+      // Those that are left where the test takes some away: contacts number them.
+      io::write_output(discs, io::discs_csv(*made.specimens.front()->packing));
       for (const auto& s : made.specimens) io::write_output(contacts(s->name), io::contacts_csv(*s));
       print_out("discs and contacts in {}\n", *out);
     }

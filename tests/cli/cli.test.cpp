@@ -435,4 +435,19 @@ TEST_F(Cli, SpecimenExportsAndImportsTheSamePacking) {
   EXPECT_THAT(output, HasSubstr("330 discs"));
 }
 
+TEST_F(Cli, DiscsOfASpecimenAreThoseThatItsContactsNumber) {
+  std::string holed = read(small_recipe());
+  holed.insert(holed.find("[packing]"), "hole_diameter = \"4 mm\"\n");
+  ASSERT_EQ(run("specimen " + write("holed.toml", holed) + " --out " + out()), 0) << output;
+  const std::string discs = read(out() + "/discs.csv");
+  std::istringstream contacts(read(out() + "/contacts_intact.csv"));
+  std::size_t most = 0;
+  std::string line;
+  std::getline(contacts, line);
+  while (std::getline(contacts, line))
+    most = std::max<std::size_t>(most, std::stoul(line.substr(line.find(',') + 1)));
+  EXPECT_EQ(most + 3, static_cast<std::size_t>(std::count(discs.begin(), discs.end(), '\n')))
+      << "two lines of heads";
+}
+
 }  // namespace
