@@ -234,10 +234,14 @@ void print_left_out(const std::vector<Job>& jobs, int width) {
 
 void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>& bands, std::size_t n_draws,
                     bool envelope, int width) {
-  bool rock = false;
+  bool rock = false, missing = false;
   for (const TableColumn& c :
-       envelope ? columns_of_envelope : columns_of(jobs.front().single.test.kind, bands))
+       envelope ? columns_of_envelope : columns_of(jobs.front().single.test.kind, bands)) {
     rock = print_bands(bands, c, width) || rock;
+    missing = missing || std::any_of(bands.begin(), bands.end(), [&](const study::Band& b) {
+                return b.number == c.number && b.n_without > 0;
+              });
+  }
   print_wrapped(width, 2,
                 "\nmedian, smallest and largest of the draws: {} of them hold one more with a probability of "
                 "{:.1f} %, n of them with (n - 1)/(n + 1)\n",
@@ -248,9 +252,7 @@ void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>
              "band has the same probability. Columns before it are the model alone"
            : "what the model misses of this test is not known: the calibration's table has no such "
              "strength, or calibration.json is not beside the recipe. The bands are the model alone");
-  const auto missing =
-      std::count_if(bands.begin(), bands.end(), [](const study::Band& b) { return b.n_without > 0; });
-  if (missing > 0)
+  if (missing)
     print_wrapped(width, 2,
                   "where draws are \"without\", the band holds the others alone, and no probability: a "
                   "common reason may be why the number is missing\n");

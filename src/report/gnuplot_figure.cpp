@@ -114,6 +114,9 @@ Grid grid_of(const Figure& figure, const Sheet& sheet, double head) {
     for (const Panel& panel : figure.panels)
       if (!panel.y.logarithmic) highest = std::max(highest, panel.y.high);
     g.left += 1.7 * (std::floor(std::log10(highest)) - 3.0);  // the room holds four digits
+    // Half of the last number below an axis stands beyond its end.
+    for (const Panel& panel : figure.panels)
+      if (panel.x.high >= 100.0) g.right = std::max(g.right, 3.0);
   } else {
     g.columns = std::min<std::size_t>(n, 4);
     g.left = g.right = g.bottom = 1.0;
