@@ -107,9 +107,6 @@ Grid grid_of(const Figure& figure, const Sheet& sheet, double head) {
     g.columns = n <= 2 ? n : n == 4 ? 2 : 3;
     // The second axis has numbers and a name, too.
     if (figure.panels.front().right) g.right = 11.0;
-    // The last number stands on the end of its axis.
-    for (const Panel& panel : figure.panels)
-      if (panel.x.step > 0.0 && panel.x.high >= 100.0) g.right = std::max(g.right, 3.0);
     double highest = 1e3;
     for (const Panel& panel : figure.panels)
       if (!panel.y.logarithmic) highest = std::max(highest, panel.y.high);
