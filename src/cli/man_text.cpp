@@ -56,7 +56,8 @@ const std::vector<ManText>& texts() {
       {"specimen",
        "Makes the packing and the bedding of a recipe, measures them (porosity, coordination, joints, "
        "bridges), and runs no test.",
-       {{"discs.csv", "centre and radius of every disc of the specimen, which packing.file of a recipe reads"},
+       {{"discs.csv",
+         "centre and radius of every disc of the specimen, which packing.file of a recipe reads"},
         {"contacts_NAME.csv", "per specimen: every contact with kind, gap, stiffnesses, strengths"}},
        {{"", "phyllite specimen examples/pfc2d/specimen.toml --out specimen"}}},
       {"verify",
