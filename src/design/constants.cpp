@@ -1,5 +1,6 @@
 #include "design/constants.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -20,9 +21,9 @@ constexpr std::array<ConstantInfo, n_constants> list = {{
     {C::G_n, "G_n", "G'", "Pa", "shear modulus of sections normal to the planes", S::logarithmic, 1e-9, "GPa",
      2},
     {C::c_j, "c_j", "c_j", "Pa", "cohesion of the planes", S::logarithmic, 1e-6, "MPa", 2},
-    {C::phi_j, "phi_j", "phi_j", "deg", "friction angle of the planes", S::linear, 1.0, "deg", 1},
+    {C::phi_j, "phi_j", "phi_j", "deg", "friction angle of the planes", S::angle, 1.0, "deg", 1},
     {C::c, "c", "c", "Pa", "cohesion of the rock between the planes", S::logarithmic, 1e-6, "MPa", 2},
-    {C::phi, "phi", "phi", "deg", "friction angle of the rock between the planes", S::linear, 1.0, "deg", 1},
+    {C::phi, "phi", "phi", "deg", "friction angle of the rock between the planes", S::angle, 1.0, "deg", 1},
     {C::sigma_tj, "sigma_tj", "sigma_tj", "Pa", "direct tensile strength across the planes", S::logarithmic,
      1e-6, "MPa", 2},
     {C::sigma_t, "sigma_t", "sigma_t", "Pa", "direct tensile strength along the planes", S::logarithmic, 1e-6,
@@ -33,7 +34,7 @@ constexpr std::array<ConstantInfo, n_constants> list = {{
     {C::k_beta, "k_beta", "k_beta", "1", "m over m_i of planes across the load", S::logarithmic, 1.0, "", 3},
     {C::c_0, "c_0", "c_0", "Pa", "cohesion, mean over directions of the fabric", S::logarithmic, 1e-6, "MPa",
      2},
-    {C::phi_0, "phi_0", "phi_0", "deg", "friction angle in all directions", S::linear, 1.0, "deg", 1},
+    {C::phi_0, "phi_0", "phi_0", "deg", "friction angle in all directions", S::angle, 1.0, "deg", 1},
     {C::omega, "omega", "Omega", "1", "fabric: first coefficient of the cohesion", S::linear, 1.0, "", 3},
     {C::omega_2, "omega_2", "Omega_2", "1", "fabric: second coefficient of the cohesion", S::linear, 1.0, "",
      3},
@@ -49,6 +50,9 @@ double inner(Constant constant, double value) {
 }
 double outer(Constant constant, double x) {
   return info(constant).scale == Scale::logarithmic ? std::exp(x) : x;
+}
+double outer_end(Constant constant, double x) {
+  return info(constant).scale == Scale::angle ? std::clamp(x, 0.0, 90.0) : outer(constant, x);
 }
 double outer_slope(Constant constant, double x) {
   return info(constant).scale == Scale::logarithmic ? std::exp(x) : 1.0;

@@ -30,8 +30,9 @@ enum class Constant {
 };
 constexpr int n_constants = 18;
 
-/// How a constant is fitted and averaged over draws: what may have any size above zero by its logarithm.
-enum class Scale { logarithmic, linear };
+/// How a constant is fitted and averaged over draws: what may have any size above zero by its logarithm. A
+/// friction angle as it is; its interval ends where angles do, at 0 and 90 degrees.
+enum class Scale { logarithmic, linear, angle };
 
 struct ConstantInfo {
   Constant constant;
@@ -61,6 +62,8 @@ struct Key {
 /// Between a value in SI and the number that is fitted.
 double inner(Constant constant, double value);
 double outer(Constant constant, double x);
+/// As `outer`, for an end of an interval: the nearest value that the constant may have.
+double outer_end(Constant constant, double x);
 /// d value / d x.
 double outer_slope(Constant constant, double x);
 

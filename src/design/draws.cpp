@@ -51,13 +51,13 @@ Variances variances_of(const std::vector<Pair>& pairs) {
 }
 
 ConstantEstimate estimate_of(const Key& key, const Variances& v) {
-  // On the scale of the fit: an interval of a modulus cannot reach below zero.
+  // On the scale of the fit: an interval of a modulus cannot reach below zero, nor one of an angle.
   const double half = student_t_95(v.degrees()) * std::sqrt(v.total());
   const Constant c = key.constant;
   return {key,
           outer(c, v.mean),
-          outer(c, v.mean - half),
-          outer(c, v.mean + half),
+          outer_end(c, v.mean - half),
+          outer_end(c, v.mean + half),
           outer_slope(c, v.mean) * std::sqrt(v.total()),
           v.n};
 }

@@ -53,6 +53,19 @@ TEST(Draws, AverageByHand) {
   EXPECT_NEAR(p.covariance(0, 0), e.se * e.se, 1e-3 * e.se * e.se);
 }
 
+TEST(Draws, IntervalsOfAnglesEndWhereAnglesDo) {
+  std::vector<Fit> draws;
+  for (const double phi : {4.0, 60.0}) {
+    Fit f{.refusal = Refusal::none, .keys = {{Constant::phi_j}}, .error = 0.1, .n = 9};
+    f.x = Eigen::VectorXd::Constant(1, phi), f.covariance = Eigen::MatrixXd::Constant(1, 1, 1.0);
+    draws.push_back(f);
+  }
+  const ConstantEstimate e = pool(draws).constants.front();
+  EXPECT_NEAR(e.value, 32.0, 1e-12);
+  EXPECT_EQ(e.low, 0.0);
+  EXPECT_EQ(e.high, 90.0);
+}
+
 TEST(Draws, OneDrawIsNone) {
   EXPECT_FALSE(pool({fit_of(10e6, 0.01)}).ok());
   EXPECT_EQ(pool({refused(Refusal::no_plane), refused(Refusal::no_plane), fit_of(1e6, 0.1)}).refusal,
