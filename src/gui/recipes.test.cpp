@@ -17,8 +17,8 @@ using testing::HasSubstr;
 class RecipesTest : public InFolder {
  protected:
   const std::string base = write("base.toml",
-                                 "name = \"mine\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 "
-                                 "mm\"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = \"2 mm\"\n");
+                                 "name = \"mine\"\n[specimen]\nwidth = \"9 mm\"\nheight = \"18 "
+                                 "mm\"\n[packing]\nn_grains = 418\n[[bedding]]\nspacing = \"2 mm\"\n");
 };
 
 TEST_F(RecipesTest, ChoicesBecomeAFinishedRecipe) {
@@ -33,7 +33,7 @@ TEST_F(RecipesTest, ChoicesBecomeAFinishedRecipe) {
   EXPECT_DOUBLE_EQ(recipe.test.confining_stress, 10e6);
   EXPECT_TRUE(recipe.test.intact);
   EXPECT_EQ(recipe.name, "mine");
-  EXPECT_EQ(recipe.packing.n_grains, 330);
+  EXPECT_EQ(recipe.packing.n_grains, 418);
 }
 
 TEST_F(RecipesTest, AKeyWithADimensionHasTheUnitOfItsValues) {
