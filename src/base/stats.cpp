@@ -1,13 +1,14 @@
 #include "base/stats.hpp"
 #include "base/nan.hpp"
 
-// A sum inside the gamma function that Boost has twice, for SSE2 in another order: one order for all
-// processors.
-#define BOOST_MATH_SPECIAL_FUNCTIONS_LANCZOS_SSE2
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/lanczos.hpp>
 #include <cmath>
+#ifndef __SSE2__  // where Boost sums inside the gamma function in another order
+#include <boost/math/special_functions/detail/lanczos_sse2.hpp>
+#endif
 
 namespace phy {
 namespace {
