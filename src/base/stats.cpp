@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <boost/math/special_functions/lanczos.hpp>
 #include <cmath>
 #ifndef __SSE2__  // where Boost sums inside the gamma function in another order
 #include <boost/math/special_functions/detail/lanczos_sse2.hpp>

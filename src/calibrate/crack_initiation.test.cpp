@@ -60,7 +60,7 @@ TEST(CrackInitiation, IsReadInTheVeryTestOfUcs) {
 TEST(CrackInitiation, SlitsMeetItAndEWithThem) {
   const Recipe truth = rock_with(0.2);
   PaperPress press;
-  press.packing_scatter = press.run_scatter = 0.005;
+  press.packing_scatter = press.run_scatter = 0.01;
   const Calibration c = calibrate(Evidence(table_of(truth)), {}, press);
   EXPECT_NEAR(row_of(c, Property::crack_initiation).error(), 0.0, 0.05);
   EXPECT_NEAR(row_of(c, Property::ucs).error(), 0.0, 0.05);
@@ -68,7 +68,7 @@ TEST(CrackInitiation, SlitsMeetItAndEWithThem) {
   const auto slits = std::find_if(c.parameters.begin(), c.parameters.end(),
                                   [](const ParameterEstimate& e) { return e.symbol == "slits"; });
   ASSERT_NE(slits, c.parameters.end());
-  EXPECT_TRUE(slits->determined) << slits->low << " " << slits->value << " " << slits->high;
+  EXPECT_TRUE(slits->determined);
   EXPECT_TRUE(slits->low <= 0.2 && 0.2 <= slits->high) << slits->low << ' ' << slits->high;
   EXPECT_EQ(c.counts.tension, 0);
   EXPECT_LE(c.counts.tests, press.n_tests) << "counted once, though it answers twice";
@@ -80,7 +80,7 @@ TEST(CrackInitiation, WithoutSlitsTheVerdictNamesIt) {
   table.matrix = MatrixModel::parallel_bond;
   table.model.matrix.model = MatrixModel::parallel_bond;
   PaperPress press;
-  press.packing_scatter = press.run_scatter = 0.005;
+  press.packing_scatter = press.run_scatter = 0.01;
   const Calibration c = calibrate(Evidence(table), {}, press);
   EXPECT_GT(row_of(c, Property::crack_initiation).error(), 0.3);
   EXPECT_NEAR(row_of(c, Property::ucs).error(), 0.0, 0.06) << "not taken along";
