@@ -47,6 +47,9 @@ const std::vector<QualityLimit>& quality_limits() {
       {"grains_in_radius", "radius of an opening / mean grain diameter", true, 15.0, -1.0,
        "too few grains around the opening for its hoop stress to be the rock's",
        "lower the radii of [packing], or widen the opening and its block"},
+      {"wall_to_edge", "share of the wall of an opening whose loose rock reaches the edge of the block",
+       false, 0.0, 1.0, "rock has slid out to the edge of the block, and the collapse may be the block's",
+       "widen the block"},
       {"joints", "fewest smooth joints of a bedding set", true, 3.0, 1.0,
        "hardly any contact lies on a plane of the bedding",
        "raise bedding.zone_thickness (zone rule), lower bedding.spacing, move bedding.offset, or raise "

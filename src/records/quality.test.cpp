@@ -18,29 +18,18 @@ Number measured(const char* name, double value) { return {name, value, "1", "", 
 
 /// A specimen and a test with nothing to say against them.
 std::vector<Number> sound() {
-  return {measured("porosity", 0.1),
-          measured("overlap", 0.1),
-          measured("rattlers", 0.02),
-          measured("grains_across", 50),
-          measured("joints", 200),
-          measured("grains_per_spacing", 8),
-          measured("peak_confirmed", 2.0),
-          measured("rows_to_peak", 500),
-          measured("wave_transits", 90),
-          measured("platen_difference_95", 0.005),
-          measured("kinetic_ratio", 1e-3),
-          measured("energy_error", 1e-3),
-          measured("damping", 0.7),
-          measured("fall_seen", 1.0),
-          measured("grains_in_radius", 20),
-          measured("slow_share", 0.7),
-          measured("broken_at_start", 0.0),
-          measured("area_change", 0.7),
-          measured("nu_spread", 0.01),
-          measured("cracks_in_window", 0),
-          measured("sigma_n_error_rms", 0.02),
-          measured("box_lifted", 0.0),
-          measured("sigma_n_error_residual", 0.02)};
+  return {measured("porosity", 0.1),        measured("overlap", 0.1),
+          measured("rattlers", 0.02),       measured("grains_across", 50),
+          measured("joints", 200),          measured("grains_per_spacing", 8),
+          measured("peak_confirmed", 2.0),  measured("rows_to_peak", 500),
+          measured("wave_transits", 90),    measured("platen_difference_95", 0.005),
+          measured("kinetic_ratio", 1e-3),  measured("energy_error", 1e-3),
+          measured("damping", 0.7),         measured("fall_seen", 1.0),
+          measured("grains_in_radius", 20), measured("wall_to_edge", 0.0),
+          measured("slow_share", 0.7),      measured("broken_at_start", 0.0),
+          measured("area_change", 0.7),     measured("nu_spread", 0.01),
+          measured("cracks_in_window", 0),  measured("sigma_n_error_rms", 0.02),
+          measured("box_lifted", 0.0),      measured("sigma_n_error_residual", 0.02)};
 }
 
 std::vector<Number> sound_but(const char* name, double value) {

@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/exact_math.hpp"
 #include "lab/opening/reading.hpp"
 #include "lab/procedure_fixture.hpp"
+#include "records/quality.hpp"
 
 namespace phy::lab {
 namespace {
@@ -136,6 +138,24 @@ TEST(Opening, HasADirectionOfBreakoutWhereThereIsAnAxis) {
   EXPECT_TRUE(std::isnan(number(apart, "breakout_direction").value));
   EXPECT_EQ(number(apart, "breakout_direction_at_end").note, "on no clear axis");
   EXPECT_EQ(number(apart, "breakout_depth").value, 0.25);
+}
+
+// Layers that slide out leave a hole in a block of two halves: its strength is no longer the opening's.
+TEST(Opening, RockThatReachesTheEdgeIsMarked) {
+  OpeningState state;
+  for (int k = 0; k < n_wall_sectors; ++k) state.points.push_back({WallMoment::end, 10.0 * k});
+  const auto marks = [&] {
+    History history;
+    history.kind = TestKind("opening");
+    return quality_marks(opening_numbers(history, {}, {20e6, 10e-3, true, state, state, {}}, 0.5e-3));
+  };
+  EXPECT_TRUE(marks().empty());
+  for (int k = 20; k < 29; ++k)
+    state.points[static_cast<std::size_t>(k)].breakout = std::numeric_limits<double>::infinity();
+  ASSERT_EQ(marks().size(), 1U);
+  EXPECT_EQ(marks().front().text(),
+            "wall_to_edge 0.25, above 0: rock has slid out to the edge of the block, and the collapse may be "
+            "the block's");
 }
 
 TEST(Opening, CracksOfTheFarFieldAreNoneOfTheExcavation) {

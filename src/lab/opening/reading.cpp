@@ -60,6 +60,13 @@ std::vector<Number> breakout_numbers(const std::optional<OpeningState>& state, d
        "broken wall" + when + ", mean of both sides", none}};
 }
 
+/// Of the wall, where what hangs on the rest by no bond goes through to the outside.
+double share_to_edge(const OpeningState& state) {
+  const auto n = std::count_if(state.points.begin(), state.points.end(),
+                               [](const WallPoint& p) { return std::isinf(p.breakout); });
+  return static_cast<double>(n) / static_cast<double>(state.points.size());
+}
+
 /// What the far field broke before there was an opening began at none of the stresses that it bears.
 std::vector<Number> initiation(const analysis::LoadingBranch& branch, std::vector<CrackEvent> cracks) {
   const double begun = branch.empty() ? 0.0 : branch.rows.front().step;
@@ -125,6 +132,8 @@ std::vector<Number> opening_numbers(const History& history, const std::vector<Cr
   out.push_back({"hole_diameter", 2.0 * read.radius, "m", "diameter of the opening", ""});
   out.push_back({"hoop_distance", 0.5 * (hoop_ring[0] + hoop_ring[1]) * diameter, "m",
                  "from the wall to the middle of the ring that the hoop stress is a mean of", ""});
+  out.push_back({"wall_to_edge", read.at_end ? share_to_edge(*read.at_end) : nan, "1",
+                 "share of the wall whose loose rock reaches the edge of the block at the end", begun});
   out.push_back({"grains_in_radius", read.radius / diameter, "1", "radius / mean grain diameter", ""});
   analysis::add(out, initiation(branch, cracks));
   analysis::add(out, analysis::common_numbers(own, branch, cracks, read.path));

@@ -10,6 +10,7 @@
 //   ..._direction       from the horizontal, anticlockwise, 0 to 180 [deg]; as a caliper or borehole pictures
 //                       show it; of a breakout only where it lies on an axis
 //   ..._at_end          the same when the test ended
+//   wall_to_edge        share of the wall whose loose rock then reaches the edge of the block
 #pragma once
 #include <array>
 #include <optional>
