@@ -261,7 +261,7 @@ def check_speed(bench):
     words = []
     for isa in bench.isas:
         pairs = []  # of one moment: the machine may be shared
-        for turn in range(3):
+        for turn in range(7):
             took = {}
             for run, name in ((bench.linux, "native"), (bench.windows, "windows")):
                 out = bench.folder / f"speed-{isa}-{name}-{turn}"
