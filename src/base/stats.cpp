@@ -1,6 +1,14 @@
 #include "base/stats.hpp"
 #include "base/nan.hpp"
 
+// Boost knows of C's functions on POSIX systems alone, and elsewhere sums series of its own.
+#ifndef BOOST_HAS_LOG1P
+#define BOOST_HAS_LOG1P
+#endif
+#ifndef BOOST_HAS_EXPM1
+#define BOOST_HAS_EXPM1
+#endif
+
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>

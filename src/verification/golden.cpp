@@ -11,6 +11,7 @@
 #include "base/least_squares.hpp"
 #include "base/parallel.hpp"
 #include "base/rng.hpp"
+#include "base/stats.hpp"
 #include "contact/model.hpp"
 #include "contact/models.hpp"
 #include "genesis/packing.hpp"
@@ -102,6 +103,18 @@ std::string hash_of_covariance() {
   return hash.text();
 }
 
+/// Of quantiles and chances, which Boost sums by what it knows of the system.
+std::string hash_of_quantiles() {
+  Hash hash;
+  for (std::size_t degrees = 1; degrees < 300; ++degrees) {
+    const double between = 1.0 + 0.37 * static_cast<double>(degrees);
+    const double values[] = {student_t_95(degrees), chi_square_99(degrees), student_t_one_sided_95(between),
+                             student_t_chance(0.01 * between, between)};
+    hash.bytes(values, sizeof values);
+  }
+  return hash.text();
+}
+
 }  // namespace
 
 const std::vector<GoldenTest>& golden_tests() {
@@ -114,10 +127,11 @@ std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine, cons
   const Recipe& any = tests.front().recipe;
   const auto packing =
       std::make_shared<const Packing>(genesis::make_packing(any.specimen, any.packing, any.matrix));
-  std::vector<GoldenHash> hashes(tests.size() + 2);
+  std::vector<GoldenHash> hashes(tests.size() + 3);
   // The packing comes first: where it differs, those of all tests do.
   hashes.front() = held("packing", packing->hash);
-  hashes.back() = held("covariance", hash_of_covariance());
+  hashes.end()[-2] = held("covariance", hash_of_covariance());
+  hashes.back() = held("quantiles", hash_of_quantiles());
   study::MachineOptions alone = machine;
   // Tests run side by side already, each on a thread of its own.
   alone.threads = 1;

@@ -28,8 +28,8 @@ struct GoldenHash {
   bool equal() const { return hash == recorded; }
 };
 
-/// The hash of the packing, those of golden_tests(), as many at a time as there are threads, and that of a
-/// covariance of 150 unknowns. None is there if `stop` says true in between.
+/// The hash of the packing, those of golden_tests(), as many at a time as there are threads, and those of a
+/// covariance of 150 unknowns and of quantiles. None is there if `stop` says true in between.
 std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine,
                                       const std::atomic<bool>* stop = nullptr);
 
