@@ -244,6 +244,7 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& asked,
   const SimulatorCount before = simulator.count();
   Calibration result;
   result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is, result.method = options.method;
+  result.counts_from_load = evidence.rock.counts_from_load;
   method_of(options.method).check(evidence);
   options.listener.outlook(outlook_of(evidence, options));
   try {

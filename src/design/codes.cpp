@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/exact_math.hpp"
@@ -21,8 +22,14 @@ double normal_across(V v) { return plane_normal(v.dip).x; }
 double normal_up(V v) { return plane_normal(v.dip).y; }
 /// Strain across the planes over that along them, under load along them.
 double nu_across(V v) { return v(nu_n) * v(E) / v(E_n); }
-/// a of Abbo & Sloan's hyperbola, whose apex lies at the mean stress c cot phi - a.
-double apex(V v) { return std::max(0.0, v(c) / tan_degrees(v(phi)) - v(sigma_t)); }
+/// a of Abbo & Sloan's hyperbola with which uniaxial tension fails at sigma_t; 0: it fails before by c and
+/// phi.
+double cut_off(V v) {
+  const SinCos f = sin_cos_degrees(v(phi));
+  const double cohesion = v(c) * f.cos, pull = v(sigma_t);
+  const double square = (cohesion - pull * (1.0 + f.sin) / 2.0) * (cohesion + pull * (3.0 - f.sin) / 6.0);
+  return std::sqrt(std::max(0.0, square)) / f.sin;
+}
 
 template <Constant constant>
 double of(V v) {
@@ -95,26 +102,27 @@ Code flac_anisotropic() {
 }
 
 Code plaxis() {
-  return {"PLAXIS",
-          "Jointed Rock",
-          "plaxis-jointed-rock.csv",
-          plaxis_page,
-          Syntax::table,
-          {{"", of<E>, 1e-3, "kN/m^2", "Young's modulus along plane 1"},
-           {"", of<nu>, 1.0, "1", "Poisson's ratio in plane 1, under load in plane 1"},
-           {"", of<E_n>, 1e-3, "kN/m^2", "Young's modulus normal to plane 1"},
-           {"", of<nu_n>, 1.0, "1", "strain along plane 1 over that across it, under load across it"},
-           {"", of<G_n>, 1e-3, "kN/m^2", "shear modulus of sections normal to plane 1"},
-           {"", of<c_j>, 1e-3, "kN/m^2", "cohesion on plane 1"},
-           {"", of<phi_j>, 1.0, "deg", "friction angle on plane 1"},
-           {"", none, 1.0, "deg", "dilatancy angle on plane 1, not fitted"},
-           {"", of<sigma_tj>, 1e-3, "kN/m^2", "tensile strength across plane 1"},
-           {"", dip, 1.0, "deg", "inclination of plane 1 in the section, counter-clockwise from x"}},
-          {"No document that could be read names the parameters: they are given by their meaning.",
-           "The intact rock of this model stays elastic. Its c and phi are in design.csv, for the "
-           "user-defined model of the same article, which fails by Mohr-Coulomb too.",
-           "Whether PLAXIS's second Poisson's ratio counts the load across plane 1 or along it: see its "
-           "manual."}};
+  return {
+      "PLAXIS",
+      "Jointed Rock",
+      "plaxis-jointed-rock.csv",
+      plaxis_page,
+      Syntax::table,
+      {{"", of<E>, 1e-3, "kN/m^2", "Young's modulus along plane 1"},
+       {"", of<nu>, 1.0, "1", "Poisson's ratio in plane 1, under load in plane 1"},
+       {"", of<E_n>, 1e-3, "kN/m^2", "Young's modulus normal to plane 1"},
+       {"", of<nu_n>, 1.0, "1", "strain along plane 1 over that across it, under load across it"},
+       {"", of<G_n>, 1e-3, "kN/m^2", "shear modulus of sections normal to plane 1"},
+       {"", of<c_j>, 1e-3, "kN/m^2", "cohesion on plane 1"},
+       {"", of<phi_j>, 1.0, "deg", "friction angle on plane 1"},
+       {"", none, 1.0, "deg", "dilatancy angle on plane 1, not fitted"},
+       {"", of<sigma_tj>, 1e-3, "kN/m^2", "tensile strength across plane 1"},
+       {"", dip, 1.0, "deg", "inclination of plane 1 in the section, counter-clockwise from x"}},
+      {"The article does not name the parameters: they are given by their meaning. Strengths are positive.",
+       "The intact rock of this model stays elastic. Its c and phi are in design.csv, for the "
+       "user-defined model of the article, which fails by Mohr-Coulomb too.",
+       "Whether PLAXIS's second Poisson's ratio counts the load across plane 1 or along it: see its "
+       "manual."}};
 }
 
 Code rs2() {
@@ -187,11 +195,11 @@ Code ogs_joint() {
        {"FrictionAngle", of<phi>, 1.0, "deg", ""},
        {"DilatancyAngle", none, 1.0, "deg", ""},
        {"TransitionAngle", [](V) { return 29.0; }, 1.0, "deg", ""},
-       {"TensionCutOffParameter", apex, 1.0, "Pa", ""}},
+       {"TensionCutOffParameter", cut_off, 1.0, "Pa", ""}},
       {"SI units; stresses of OpenGeoSys are positive in tension. For two dimensions, plane strain.",
        "basis_vector_0 is the normal of the planes. The planes have no tensile cut-off in this model.",
-       "TensionCutOffParameter a = c cot(phi) - sigma_t. TransitionAngle rounds corners and is no property "
-       "of the rock."},
+       "By TensionCutOffParameter uniaxial tension fails at sigma_t. TransitionAngle rounds corners and is "
+       "no property of the rock."},
       {"<type>MFront</type>", "<behaviour>MohrCoulombAbboSloanUBIOrtho</behaviour>"}};
 }
 
@@ -202,19 +210,30 @@ std::string digits(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0
 
 std::string text_of(const CodeRow& row, V v) { return digits(row.factor * row.value(v)); }
 
-std::string head(const Code& code, const std::string& rock, const char* mark) {
+/// The tension of the rock that c and phi never let it reach.
+std::string out_of_reach(const Code& code, V v) {
+  const bool asked = std::ranges::any_of(
+      code.rows, [](const CodeRow& r) { return r.value == of<sigma_t> || r.value == cut_off; });
+  if (!asked || v(sigma_t) <= v.tension_by_cohesion()) return "";
+  return fmt::format(
+      "sigma_t is above the {} Pa at which c and phi fail in uniaxial tension: it is never met.",
+      digits(v.tension_by_cohesion()));
+}
+
+std::string head(const Code& code, V v, const std::string& rock, const char* mark) {
   std::string text =
       fmt::format("{} {}: {} for {}, by {}\n", mark, comment_text(rock), code.model, code.name, phy::program);
-  if (*code.rows.front().name != '\0') text += fmt::format("{} Names: {}\n", mark, code.source);
+  text += fmt::format("{} {}: {}\n", mark, *code.rows.front().name != '\0' ? "Names" : "Model", code.source);
   for (const char* note : code.notes) text += fmt::format("{} {}\n", mark, note);
-  return text;
+  const std::string remark = out_of_reach(code, v);
+  return remark.empty() ? text : text + fmt::format("{} {}\n", mark, remark);
 }
 
 /// Lines of a script: one statement per row.
 std::string script(const Code& code, V v, const std::string& rock) {
   // Each language has its own mark of a comment.
   const bool flac = code.syntax == Syntax::flac;
-  std::string text = head(code, rock, flac ? ";" : "#");
+  std::string text = head(code, v, rock, flac ? ";" : "#");
   for (const char* line : code.before) text += std::string(line) + "\n";
   for (const CodeRow& row : code.rows)
     text += flac ? fmt::format("zone property {} {}  ; {}, {}\n", row.name, text_of(row, v), row.unit,
@@ -225,7 +244,7 @@ std::string script(const Code& code, V v, const std::string& rock) {
 }
 
 std::string table(const Code& code, V v, const std::string& rock) {
-  std::string text = head(code, rock, "#") + "value,unit,meaning\n";
+  std::string text = head(code, v, rock, "#") + "value,unit,meaning\n";
   // No document names the rows: their meaning has to do.
   for (const CodeRow& row : code.rows)
     text += fmt::format("{},{},{}\n", text_of(row, v), row.unit, csv_cell(row.meaning));
@@ -241,7 +260,7 @@ std::string xml_parameter(const std::string& name, const std::string& values) {
 std::string xml(const Code& code, V v, const std::string& rock) {
   const bool mfront = !code.before.empty();  // its properties are listed, and its first axis is the normal
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", relation, parameters;
-  std::string comment = head(code, rock, " ");
+  std::string comment = head(code, v, rock, " ");
   // Two hyphens would end the comment early.
   for (std::size_t at; (at = comment.find("--")) != std::string::npos;) comment.replace(at, 2, "- ");
   if (!mfront) relation = fmt::format("        <type>{}</type>\n", code.model);
@@ -257,8 +276,9 @@ std::string xml(const Code& code, V v, const std::string& rock) {
   if (mfront) relation += "        </material_properties>\n";
   // A right-handed pair of axes, one of them the normal.
   const double x = normal_across(v), y = normal_up(v);
-  const std::string normal = digits(x) + " " + digits(y);
-  const std::string along = mfront ? digits(-y) + " " + digits(x) : digits(y) + " " + digits(-x);
+  // In all digits: OpenGeoSys refuses axes whose determinant is not 1 to the last bit but one.
+  const auto axis = [](double a, double b) { return fmt::format("{} {}", a + 0.0, b + 0.0); };
+  const std::string normal = axis(x, y), along = mfront ? axis(-y, x) : axis(y, -x);
   parameters += xml_parameter("e0", mfront ? normal : along) + xml_parameter("e1", mfront ? along : normal);
   return text + "<!--\n" + comment +
          "-->\n<OpenGeoSysProject>\n  <processes>\n    <process>\n"
@@ -275,6 +295,11 @@ std::string known_cell(double value) { return std::isfinite(value) ? digits(valu
 std::string angle_cell(const Key& key) { return known_cell(key.theta); }
 
 }  // namespace
+
+double Values::tension_by_cohesion() const {
+  const SinCos f = sin_cos_degrees((*this)(phi));
+  return 2.0 * (*this)(c)*f.cos / (1.0 + f.sin);
+}
 
 double Values::operator()(Constant constant) const {
   // No constant is in two parts.

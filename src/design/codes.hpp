@@ -24,6 +24,8 @@ struct Values {
   double dip = 0.0;                   ///< [deg]
   /// In SI; NaN: it is not known.
   double operator()(Constant constant) const;
+  /// Strength of the rock between planes in uniaxial tension by c and phi alone [Pa].
+  double tension_by_cohesion() const;
 };
 
 struct CodeRow {

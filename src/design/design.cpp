@@ -111,7 +111,7 @@ void add_laboratory(Design& d, Part part, const Misses& misses) {
                           .numbers = {{"error", misses.rms()},
                                       {"mean", misses.mean()},
                                       {"values", static_cast<double>(misses.n)}},
-                          .names = {word_of(part)}});
+                          .names = {word_of(part), part == Part::elasticity ? "E" : "strength"}});
 }
 
 void find_laboratory(Design& d) {
@@ -191,6 +191,15 @@ std::vector<std::string> E_of_table(const DesignTests& tests) {
   return {to_string(tests.E_is)};
 }
 
+/// Two laws of one rock, fitted apart: codes take the weaker one.
+void find_tension_above(Design& d) {
+  const Values v = d.values();
+  const double tension = v(Constant::sigma_t), least = v.tension_by_cohesion();
+  if (tension > least)
+    d.findings.push_back(
+        {.kind = Kind::design_tension_above, .numbers = {{"sigma_t", tension}, {"by_cohesion", least}}});
+}
+
 void find_elasticity(Design& d) {
   const Pooled& part = d.part(Part::elasticity);
   if (!part.ok()) return;
@@ -217,6 +226,7 @@ Design design_of(DesignTests tests) {
   fit_parts(d);
   find_strengths(d);
   find_elasticity(d), find_refusals(d), find_laboratory(d);
+  find_tension_above(d);
   d.findings.push_back({.kind = Kind::design_left_out});
   if (d.tests.strengths_sought) d.findings.push_back({.kind = Kind::design_strike});
   d.findings.push_back({.kind = Kind::design_not_fitted, .names = files_without(d)});

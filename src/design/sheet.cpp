@@ -51,7 +51,8 @@ SheetTable plain_table(Part part, const Pooled& p) {
 /// Inclinations down, constants across.
 SheetTable angle_table(Part part, const Pooled& p) {
   SheetTable t{title_of(part, p),
-               {"theta [deg]", "beta [deg]", "sigma_ci [MPa]", "95 %", "m", "95 %", "k_beta", "95 %"},
+               {"theta [deg]", "beta [deg]", "sigma_ci [MPa]", "95 % of sigma_ci", "m", "95 % of m", "k_beta",
+                "95 % of k_beta"},
                {}};
   for (const ConstantEstimate& e : p.constants) {
     if (e.key.constant != Constant::sigma_ci) continue;

@@ -174,6 +174,7 @@ struct Calibration {
   std::vector<SetOption> asked;  ///< what the user asked for: every option that changes the result
   CalibrationMethod method = CalibrationMethod::posterior;
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
+  bool counts_from_load = false;                       ///< the table's angles are beta; ours are theta
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
   std::optional<Finding> rival;        ///< `rival_model`: the nearest of these that was not tried

@@ -33,6 +33,12 @@ const NamedNumber* quantity(const Finding& finding, std::string_view name) {
 Cell cell_of(const Target& t) { return {t.property, t.theta, t.confining, t.diameter}; }
 
 std::string_view to_string(FindingKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+std::optional<FindingKind> finding_kind_of(std::string_view word) {
+  const auto it = std::ranges::find(kinds, word);
+  return it != std::end(kinds) ? std::optional(static_cast<FindingKind>(it - std::begin(kinds)))
+                               : std::nullopt;
+}
+
 std::string_view to_string(Advice advice) { return advices[static_cast<std::size_t>(advice)]; }
 
 bool Finding::has(std::string_view name) const { return quantity(*this, name) != nullptr; }

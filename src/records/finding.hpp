@@ -5,6 +5,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,8 @@ enum class FindingKind : std::uint8_t {
 #undef PHY_WORD
 };
 std::string_view to_string(FindingKind kind);
+/// Nothing for a word of another version.
+std::optional<FindingKind> finding_kind_of(std::string_view word);
 
 /// What may help. Given only where following it can help.
 enum class Advice : std::uint8_t {

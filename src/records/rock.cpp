@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -163,6 +164,13 @@ const char* to_string(ModulusReading reading) {
     case ModulusReading::small_strain: return "small strain";
   }
   return "";
+}
+
+ModulusReading modulus_reading_of(const std::string& word) {
+  using enum ModulusReading;
+  for (const ModulusReading r : {tangent_50, average, secant_50, secant_at_peak, small_strain})
+    if (word == to_string(r)) return r;
+  throw std::out_of_range("no reading of E: " + word);
 }
 
 bool same_stress(double a, double b) { return std::fabs(a - b) <= 0.05 * std::min(a, b); }

@@ -18,6 +18,8 @@ enum class ElasticReading { plane_stress, plane_strain };
 /// (docs/calibration.md, "Which E").
 enum class ModulusReading { tangent_50, average, secant_50, secant_at_peak, small_strain };
 const char* to_string(ModulusReading reading);
+/// Throws std::out_of_range for another word.
+ModulusReading modulus_reading_of(const std::string& word);
 
 /// One cell of the table.
 struct RockReading {

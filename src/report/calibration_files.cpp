@@ -182,7 +182,15 @@ FailureMode failure_from(const Json& j) {
           io::whole_number<int>(j.at("n_tests")), io::whole_number<int>(j.at("n_planes"))};
 }
 
-// Only what pictures and predictions need is read back; verdicts and texts stay as they were written.
+// Only what pictures and predictions need is read back; texts stay as they were written.
+std::vector<Finding> findings_of(const Json& list) {
+  std::vector<Finding> findings;
+  for (const Json& j : list)
+    if (const auto kind = finding_kind_of(j.at("kind").get<std::string>()))
+      findings.push_back({*kind, {}, {}, j.value("names", std::vector<std::string>())});
+  return findings;
+}
+
 std::vector<Comparison> rows_of(const Json& list) {
   std::vector<Comparison> rows;
   for (const Json& j : list) {
@@ -293,7 +301,8 @@ Calibration comparisons_of(const std::string& json, const std::string& file) {
     const Json j = io::parse_json<Json>(json);
     // An older format may use a key in another sense, which no missing key would reveal.
     if (j.at("format") != calibration_format) throw std::out_of_range("another version of the format");
-    c.rock = j.at("rock");
+    c.rock = j.at("rock"), c.E_is = modulus_reading_of(j.at("E_is"));
+    c.verdict.not_good_for = findings_of(j.at("verdict").at("not_good_for"));
     if (j.value("method", "") == "sequence") c.method = CalibrationMethod::sequence;
     c.fitted = rows_of(j.at("fitted")), c.verification = rows_of(j.at("verification"));
     c.left_out = rows_of(j.at("left_out"));

@@ -56,8 +56,14 @@ TEST(CalibrationTables, TheModelAloneAndWithItsDiscrepancyStandApart) {
   EXPECT_NEAR(j["left_out"][1]["with_discrepancy"].get<double>(), 63e6, 1.0);
   EXPECT_FALSE(j["left_out"][0].contains("with_discrepancy"));
   c.residuals = {{c.fitted[1].target, 0.1, 4e-4, 1e-4, {0.1, 0.2}}};
+  c.E_is = ModulusReading::secant_50;
+  c.verdict.not_good_for = {{FindingKind::test_undetermined, {}, {}, {"tension", "tau_c"}}};
   const Calibration read = comparisons_of(calibration_json(c, "1"), "calibration.json");
   ASSERT_EQ(read.residuals.size(), 1U);
+  EXPECT_EQ(read.E_is, ModulusReading::secant_50);
+  ASSERT_EQ(read.verdict.not_good_for.size(), 1U);
+  EXPECT_EQ(read.verdict.not_good_for[0].kind, FindingKind::test_undetermined);
+  EXPECT_EQ(read.verdict.not_good_for[0].names, c.verdict.not_good_for[0].names);
   EXPECT_TRUE(same_cell(read.residuals[0].target, c.fitted[1].target));
   EXPECT_EQ(read.residuals[0].target.mean, c.fitted[1].target.mean);
   EXPECT_EQ(read.residuals[0].value, 0.1);

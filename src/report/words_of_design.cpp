@@ -78,11 +78,18 @@ std::string errors(F) {
          "stress that the law was not fitted to.";
 }
 
+std::string tension_above(F f) {
+  return fmt::format(
+      "sigma_t is {:.1f} MPa, but c and phi fail in uniaxial tension at {:.1f} MPa: codes take the smaller.",
+      f.number("sigma_t") * 1e-6, f.number("by_cohesion") * 1e-6);
+}
+
 std::string laboratory(F f) {
   const double mean = f.number("mean");
-  return fmt::format("The {} constants miss {} of the laboratory by {} (rms), {} too {} on average.",
-                     f.names[0], counted_text(f.number("values"), "value"), percent_text(f.number("error")),
-                     percent_text(std::fabs(mean)), mean < 0.0 ? "low" : "high");
+  return fmt::format("The {} constants miss {} of {} of the laboratory by {} (rms), {} too {} on average.",
+                     f.names[0], counted_text(f.number("values"), "value"), f.names[1],
+                     percent_text(f.number("error")), percent_text(std::fabs(mean)),
+                     mean < 0.0 ? "low" : "high");
 }
 
 }  // namespace
@@ -114,6 +121,7 @@ const std::vector<Wording>& words_of_design() {
       {Kind::design_laboratory, laboratory},
       {Kind::design_no_laboratory,
        [](F) -> std::string { return "The laboratory's table has no strength inside the range."; }},
+      {Kind::design_tension_above, tension_above},
       {Kind::design_strike,
        [](F) -> std::string {
          return "All tests load the rock in the section that is normal to the strike of its planes.";
