@@ -28,15 +28,18 @@ Series frequency_of(std::vector<double> magnitudes) {
 }
 
 Panel frequency_panel(const SpecimenRecord& t) {
-  Panel panel{heading(t.result), "", Axis{"magnitude"}, Axis{"events of at least that magnitude"}};
+  const double thickness = t.result.events.front().thickness;
+  // A figure in a paper has no caption of ours: what a magnitude is of stands on its axis.
+  Panel panel{heading(t.result), "", Axis{fmt::format("magnitude of {:.3g} mm thickness", 1e3 * thickness)},
+              Axis{"events of at least that magnitude"}};
   panel.y.logarithmic = true;
   const std::vector<double> magnitudes = events::magnitudes_of(t.result.events);
   panel.series.push_back(frequency_of(magnitudes));
   // Read and not computed: the figure shows what result.json says.
-  const double b = value_of(t, "b_value"), from = value_of(t, "magnitude_of_completeness");
+  const double b = value_of(t, "b_value"), half_width = value_of(t, "b_value_half_width"),
+               from = value_of(t, "magnitude_of_completeness");
   // value_of knows no number of an untrusted test; what magnitudes are of is certain all the same.
-  panel.caption = text_of_b_value(b, value_of(t, "b_value_half_width"), t.result.events.front().thickness,
-                                  t.result.outcome.status != Status::untrusted);
+  panel.caption = text_of_b_value(b, half_width, thickness, t.result.outcome.status != Status::untrusted);
   const auto [least, most] = std::minmax_element(magnitudes.begin(), magnitudes.end());
   // They are below zero, where an axis would otherwise end.
   panel.x.low = std::floor(*least), panel.x.high = std::max(std::ceil(*most), panel.x.low + 1.0);
@@ -44,7 +47,7 @@ Panel frequency_panel(const SpecimenRecord& t) {
   const auto n = static_cast<double>(
       std::count_if(magnitudes.begin(), magnitudes.end(), [&](double m) { return m >= from; }));
   // From all events from the completeness on down to one, or as far as the axis reaches.
-  Series line{"log N = a - b M", Mark::line, Role::theory};
+  Series line{fmt::format("log N = a - b M, b = {:.2f} ± {:.2f}", b, half_width), Mark::line, Role::theory};
   const double to = std::min(from + std::log10(n) / b, panel.x.high);
   line.points = {{from, n}, {to, n * std::pow(10.0, -b * (to - from))}};
   panel.series.push_back(line);

@@ -47,14 +47,18 @@ Figure anisotropy(const FigureData& data) {
 }
 
 /// Throws InputError where the run has no events.
-Figure with_events(Figure figure) {
+Figure with_events(Figure figure, const RunRecord& run) {
   if (!figure.panels.empty()) return figure;
+  const bool asked = std::ranges::any_of(run.tests, [](const auto& t) { return t.recipe.test.events; });
   throw InputError(Problem{"result", "events.csv", "", "acoustic events",
-                           "run the recipe again with events = true in [test]"});
+                           asked ? "no bond of a test with events = true broke: load it further"
+                                 : "run the recipe again with events = true in [test]"});
 }
 
-Figure events_of_run(const FigureData& data) { return with_events(events_figure(data.run, data.counts)); }
-Figure event_places(const FigureData& data) { return with_events(event_places_figure(data.run)); }
+Figure events_of_run(const FigureData& data) {
+  return with_events(events_figure(data.run, data.counts), data.run);
+}
+Figure event_places(const FigureData& data) { return with_events(event_places_figure(data.run), data.run); }
 
 Figure openings(const FigureData& data) {
   Figure figure = opening_figure(data.run);
