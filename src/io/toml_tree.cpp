@@ -17,6 +17,7 @@
 
 #include "base/largest_file.hpp"
 #include "base/quote.hpp"
+#include "base/trimmed.hpp"
 #include "base/units.hpp"
 
 namespace phy::io {
@@ -196,6 +197,7 @@ std::string syntax_remedy(std::string_view line, std::string_view problem) {
   const std::size_t at = line.find_first_not_of(" \t", equals + 1);
   if (at == line.npos) return "write a value behind the =";
   const char c = line[at];
+  if (c == '"' && line.find('\\') != line.npos) return "write / in place of \\, or the text in single quotes";
   if (c == '"' || c == '\'')
     return std::count(line.begin(), line.end(), c) % 2 == 1 ? "close the quotes" : "";
   // TOML has no fractions, and "1/3" is a likely slip where ratios are asked for.
@@ -220,7 +222,8 @@ toml::parse_result parse_all(std::string text, const std::string& where, std::ve
     // A list that is not closed is noticed lines later: the cause is above the line of the error.
     const bool in_list = description.find("array") != std::string::npos;
     const bool left_out = can_be_left_out(content, description);
-    problems.push_back({at_line(where, line), "", "", "TOML (" + description + ")",
+    const std::string key(left_out ? trimmed(content.substr(0, content.find('='))) : "");
+    problems.push_back({at_line(where, line), key, "", "TOML (" + description + ")",
                         left_out  ? syntax_remedy(content, description)
                         : in_list ? "close the list begun above with ]"
                                   : ""});

@@ -343,7 +343,8 @@ class RockReader {
   }
 
   void read_table() {
-    if (!is_given("data"))
+    const auto is_data = [](const Problem& p) { return p.key == "data"; };
+    if (!is_given("data") && std::ranges::none_of(problems_, is_data))
       problems_.push_back({path_, "data", "", "the name of the table of tests",
                            "write data = \"tests.csv\"; `phyllite rock new` writes both files"});
     if (!is_given("data") || !file_.is_known("data")) return;
@@ -391,10 +392,11 @@ class RockReader {
     remove_layers(rock_.model), rock_.model.test.angles.clear();
     // Under this word the list of models has rock without layers.
     rock_.layers = LayerModel::planes;
+    // Angles that are missing in the table are told there.
     for (const char* key : {"bedding.spacing", "layers"})
-      if (is_given(key))
+      if (is_given(key) && is_given("bedded"))
         problems_.push_back({file_.place(key), key, "", "a rock with bedding",
-                             "the table has no angles, or bedded = false: leave it out"});
+                             "bedded = false says otherwise: leave it out"});
     // Cells are told apart by the angle: left in, it would split one rock into several.
     for (RockReading& r : rock_.readings) r.theta = 0.0;
     const auto sheared = std::find_if(rock_.readings.begin(), rock_.readings.end(),

@@ -109,6 +109,23 @@ TEST_F(RockFile, FilesThatCannotBeReadAreToldWithTheRest) {
   }
 }
 
+// What users of Windows write first: the one slip is told, and nothing that follows from it.
+TEST_F(RockFile, APathWithBackslashes) {
+  try {
+    read_rock(write("w.toml", "data = \"C:\\Users\\a.csv\"\n"));
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    ASSERT_THAT(e.problems(), SizeIs(1));
+    EXPECT_THAT(e.what(),
+                AllOf(HasSubstr("w.toml:1: data: expected TOML"), HasSubstr("write / in place of")));
+  }
+}
+
+// A table without angles is told by itself: the keys of layers are right.
+TEST_F(RockFile, KeysOfLayersAreNoFaultOfATableThatCannotBeRead) {
+  EXPECT_THAT(problems("", "layers = \"planes\"\n[bedding]\nspacing = \"8 mm\"\n"), SizeIs(1));
+}
+
 TEST_F(RockFile, KeysAreHeldAgainstTheirList) {
   const auto p = problems(good,
                           "bedded = \"no\"\nconfining = 5\nnmae = \"x\"\npacking = 3\nwidth = 1\n"
