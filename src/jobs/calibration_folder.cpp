@@ -248,7 +248,7 @@ void write_calibration(const std::string& folder, const Calibration& c) {
 }
 
 std::string progress_text(const calibrate::TestProgress& p, const TimeLeft& clock, double now) {
-  return fmt::format("{}/{} tests; {}; {}", p.n_done, p.n_total, clock.place_text(), clock.left_text(now));
+  return fmt::format("{}/{} tests, {}", p.n_done, p.n_total, clock.text(now));
 }
 
 }  // namespace phy::jobs

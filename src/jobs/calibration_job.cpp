@@ -36,7 +36,7 @@ calibrate::Listener CalibrationJob::listener(const CalibrationHooks& hooks) {
     // between models there is no stage yet, and a stage within another says nothing new
     if (!clock_->begins(stage.kind, now()))
       return stage.kind == FindingKind::course_model ? hooks.say(text) : void();
-    hooks.say(fmt::format("{} ({}, {})", text, clock_->place_text(), clock_->left_text(now())));
+    hooks.say(fmt::format("{} ({})", text, clock_->text(now())));
     if (watch_) watch_->begins(text, clock_->place(), clock_->at(now()));
   };
   l.estimates = [&](const auto& known) {

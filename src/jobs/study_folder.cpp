@@ -181,8 +181,8 @@ std::string progress_text(const study::Progress& p, double seconds) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
   if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);
   text += fmt::format(", {:.0f} s", seconds);
-  // Before the first result a speed would be a division by nothing.
-  if (p.work <= 0.0) return text + ", starting";
+  // Until one has finished, the length of a test is a guess.
+  if (p.n_new == 0) return text + (p.work > 0.0 ? "" : ", starting");
   return text + fmt::format(", {:.0f} per minute, about {} left",
                             60.0 * static_cast<double>(p.n_new) / seconds,
                             report::duration_text(p.seconds_left(seconds)));

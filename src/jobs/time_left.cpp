@@ -1,6 +1,7 @@
 #include "jobs/time_left.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -167,19 +168,17 @@ TimeLeft::Place TimeLeft::place() const {
   return {ahead_->model, ahead_->models, begun_, begun_ + certain, begun_ + ahead_->stages.size() - next_};
 }
 
-std::string TimeLeft::place_text() const {
+std::string TimeLeft::text(double now) const {
   const Place p = place();
-  const std::string model =
-      p.models > 1 && p.model > 0 ? fmt::format("model {} of at most {}, ", p.model, p.models) : "";
-  if (p.most <= 1) return model + "the only stage";
-  return model +
-         fmt::format("stage {} of {}", p.stage,
-                     report::range_text(static_cast<double>(p.least), static_cast<double>(p.most), "{:.0f}"));
-}
-
-std::string TimeLeft::left_text(double now) const {
-  const auto left = at(now);
-  return left ? report::duration_text(left->low, left->high) + " left" : "";
+  std::vector<std::string> parts;
+  if (p.models > 1 && p.model > 0) parts.push_back(fmt::format("model {} of at most {}", p.model, p.models));
+  // One stage is not counted: before models are compared nobody knows how many follow.
+  if (p.most > 1)
+    parts.push_back(
+        fmt::format("stage {} of {}", p.stage,
+                    report::range_text(static_cast<double>(p.least), static_cast<double>(p.most), "{:.0f}")));
+  if (const auto left = at(now)) parts.push_back(report::duration_text(left->low, left->high) + " left");
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace phy::jobs

@@ -39,10 +39,8 @@ class TimeLeft {
     std::size_t stage = 0, least = 0, most = 0;
   };
   Place place() const;
-  /// "model 1 of at most 3, stage 4 of 9 to 16"
-  std::string place_text() const;
-  /// "2 to 9 min left"
-  std::string left_text(double now) const;
+  /// "model 1 of at most 3, stage 4 of 9 to 16, 2 to 9 min left"
+  std::string text(double now) const;
 
  private:
   /// What the stages of a sort that have ended have shown of their speed: tests, and direct solutions.

@@ -149,7 +149,7 @@ TEST(Words, ALoneValueIsNamedAsOne) {
   EXPECT_EQ(sentence({Kind::tests_met, {{Property::nu, 0.0}}, {{"of", 1.0}}}),
             "nu at 0 degrees, its only value in the table.");
   EXPECT_EQ(sentence({Kind::tests_alone, {{Property::nu, 0.0}}, {{"of", 4.0}}}),
-            "nu at 0 degrees, the only value met.");
+            "nu at 0 degrees, the only value of nu met.");
 }
 
 TEST(Words, TheVerdictOfARockThatIsMet) {
@@ -179,7 +179,8 @@ TEST(Words, TheVerdictOfATableOfOneValueWithoutBedding) {
   c.verdict.not_good_for = {{Kind::tests_open, {{Property::ucs, nan}}, {{"of", 1.0}}}};
   c.verdict.next = {Kind::next_step, {}, {}, {"UCS"}, Advice::state_scatter};
   EXPECT_EQ(verdict_words(c),
-            "Not decided: the table states no scatter of UCS. On packings that the fit has not seen: the one "
+            "Not decided: the table does not show the scatter of UCS. On packings that the fit has not seen: "
+            "the one "
             "value is not decided. Largest errors: UCS 1.7 %.");
   EXPECT_THAT(
       verdict_lines(c),
@@ -210,10 +211,12 @@ TEST(Words, TheVerdictOfATableThatIsOutOfReach) {
       "Out of reach. 4 of 7 values are met, 2 are missed, 1 is not decided. Judged each by itself, 2 values "
       "are off; chance alone gives 0.4 at most.");
   EXPECT_EQ(verdict_lines(c)[1], "Not good for: UCS at 60 and 75 degrees, 11 to 13 % too high.");
-  EXPECT_EQ(
-      verdict_lines(c)[2],
+  const std::string last =
       "Why: Farthest off is UCS at 60 degrees, 48.0 MPa in the model and 51.4 MPa in the table. Next: check "
-      "UCS at 60 degrees in the table, or test more specimens there.");
+      "UCS at 60 degrees in the table, or test more specimens there.";
+  EXPECT_EQ(verdict_lines(c)[2], last);
+  c.counts_from_load = true;
+  EXPECT_EQ(verdict_lines(c)[2], last + " Angles are theta, 90 - beta of the table.");
 }
 
 /// One of every kind that the words know, with all numbers and names that any of them asks for.

@@ -166,11 +166,15 @@ const std::vector<Wording> value_words = {
      [](F f) { return fmt::format("{} is {}, {}.", cells_text(f.cells), both_text(f), miss_text(f)); }},
     {Kind::scatter_unstated,
      [](F f) {
-       return fmt::format("The table states no scatter of {}: an error cannot be told from chance.",
+       return fmt::format("The table does not show the scatter of {}: an error cannot be told from chance.",
                           list_text(f.names));
      }},
     {Kind::tests_met, [](F f) { return tests_text(f) + "."; }},
-    {Kind::tests_alone, [](F f) { return cells_text(f.cells) + ", the only value met."; }},
+    {Kind::tests_alone,
+     [](F f) {
+       return fmt::format("{}, the only value of {} met.", cells_text(f.cells),
+                          to_string(f.cells.front().property));
+     }},
     {Kind::tests_missed, tests_missed},
     {Kind::tests_open, [](F f) { return tests_text(f) + ", not decided."; }},
     {Kind::tests_unanswered, [](F f) { return tests_text(f) + ", without an answer."; }},

@@ -189,8 +189,8 @@ std::string columns_exchanged(F f) {
 
 std::string table_angles(F f) {
   if (!f.has("angles")) return "Read: rock without layers.";
-  const char* from =
-      f.number("from_load") > 0.0 ? "beta, counted from the load" : "theta, counted from the horizontal";
+  const char* from = f.number("from_load") > 0.0 ? "beta, counted from the load; below, theta = 90 - beta"
+                                                 : "theta, counted from the horizontal";
   if (f.number("angles") == 1.0)
     return fmt::format("Read: one angle, {:g} degrees ({}).", f.number("from"), from);
   return fmt::format("Read: {:.0f} angles from {:g} to {:g} degrees ({}).", f.number("angles"),

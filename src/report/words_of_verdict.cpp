@@ -28,7 +28,8 @@ std::string largest_misses(const Calibration& c) {
 
 /// Why a table decides nothing, from the step that would help.
 std::string why_open(const Verdict& v) {
-  return v.next.advice == Advice::state_scatter ? "the table states no scatter of " + list_text(v.next.names)
+  return v.next.advice == Advice::state_scatter
+             ? "the table does not show the scatter of " + list_text(v.next.names)
          : v.next.advice == Advice::smaller_grains ? "packings of this grain size differ too much"
                                                    : "too few specimens";
 }
@@ -76,7 +77,8 @@ std::vector<std::string> verdict_lines(const Calibration& c) {
   for (const Finding& cause : c.verdict.causes) why += sentence(cause) + " ";
   return {"Good for: " + items_text(c.verdict.good_for, "nothing that the table could show") + ".",
           "Not good for: " + items_text(c.verdict.not_good_for, "nothing that the table speaks of") + ".",
-          (why.empty() ? "" : "Why: " + why) + "Next: " + next_words(c) + "."};
+          (why.empty() ? "" : "Why: " + why) + "Next: " + next_words(c) + "." +
+              (c.counts_from_load ? " Angles are theta, 90 - beta of the table." : "")};
 }
 
 std::string next_words(const Calibration& c) {

@@ -109,7 +109,7 @@ TEST_F(RockCli, ACheckEndsWithTheVerdictThatIsForetold) {
       at = found;
     }
   };
-  follow_one_another({"Read: ", "Moduli: E ", "Strengths: UCS ", "states no scatter of E and UCS",
+  follow_one_another({"Read: ", "Moduli: E ", "Strengths: UCS ", "does not show the scatter of E and UCS",
                       "Not determined: ", "Forecast with ", "A calibration by one model takes ", "Model"});
   ASSERT_EQ(run("rock check --all " + rock), 0) << output;
   follow_one_another({"Read: ", "theta ", "- Eq. 1 through E: E = ", "- Jaeger's plane",
@@ -145,8 +145,8 @@ TEST_F(RockCli, ATableOfBetaUnderThetaIsAskedInTheFirstLineOfCheckAndCalibration
   EXPECT_THAT(output, question);
   write("b.csv", "beta [deg],E [GPa],UCS [MPa]\n0,31,165\n30,27,98\n45,25,112\n60,23,128\n90,20,150\n");
   ASSERT_EQ(run("rock check " + write("b.toml", "data = \"b.csv\"\n")), 0) << output;
-  EXPECT_THAT(output,
-              AllOf(HasSubstr("(beta, counted from the load)"), testing::Not(HasSubstr("look like beta"))));
+  EXPECT_THAT(output, AllOf(HasSubstr("(beta, counted from the load; below, theta = 90 - beta)"),
+                            testing::Not(HasSubstr("look like beta"))));
 }
 
 TEST_F(RockCli, ACheckOfRockWithoutBeddingSaysNothingOfLayers) {
