@@ -259,7 +259,8 @@ async function desk({ wasm, script }) {
   module = await WebAssembly.compile(await unpacked(wasm));
   source = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   await begin(module, { number: 1, start, ended: (number) => children.get(number)?.code ?? 0, end: (number) => end(number, byPage + 9) });
-  await openStore().catch(() => (store = null));
+  // Without locks nobody knows whether another tab has the files, so this one keeps none.
+  if (navigator.locks) await openStore().catch(() => (store = null));
   postMessage({ ready: true, keeps: store !== null });
 }
 
