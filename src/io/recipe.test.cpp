@@ -147,6 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"infinite", "[matrix]\nmu = inf\n", "0 <= value <= 10"},
         Bad{"half_header", "[matrix", "r.toml:1"},
         Bad{"unquoted", "[specimen]\nwidth = 38 mm\n", "put a quantity in quotes"},
+        Bad{"open_quotes_after_a_backslash", "[specimen]\nwidth = \"38\\tmm\n", "close the quotes"},
         Bad{"unquoted_text", "name = paper\n", "put text in quotes"},
         Bad{"open_quotes", "name = \"paper\n", "close the quotes"},
         Bad{"no_value", "name =\n", "write a value behind the ="},

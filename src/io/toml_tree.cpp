@@ -162,7 +162,8 @@ void find_control_characters(const toml::node& node, const std::string& path, co
                              std::vector<Problem>& problems) {
   if (const auto* s = node.as_string(); s != nullptr && !is_plain(s->get()))
     problems.push_back({at_line(where, node.source().begin.line), path, as_written(tree_of(node)),
-                        "text without line breaks and other control characters", "write it on one line"});
+                        "text without line breaks and other control characters",
+                        "write it on one line, and / in place of \\"});
   if (const auto* list = node.as_array())
     for (const toml::node& item : *list) find_control_characters(item, path, where, problems);
   if (const auto* table = node.as_table())
@@ -197,9 +198,11 @@ std::string syntax_remedy(std::string_view line, std::string_view problem) {
   const std::size_t at = line.find_first_not_of(" \t", equals + 1);
   if (at == line.npos) return "write a value behind the =";
   const char c = line[at];
+  const bool quoted = c == '"' || c == '\'';
+  if (quoted && std::count(line.begin(), line.end(), c) % 2 == 1) return "close the quotes";
+  // Names of files under Windows: in double quotes \U begins a letter, and \t is a tabulator.
   if (c == '"' && line.find('\\') != line.npos) return "write / in place of \\, or the text in single quotes";
-  if (c == '"' || c == '\'')
-    return std::count(line.begin(), line.end(), c) % 2 == 1 ? "close the quotes" : "";
+  if (quoted) return "";
   // TOML has no fractions, and "1/3" is a likely slip where ratios are asked for.
   if (const std::optional<double> quotient = fraction(line.substr(at, line.find('#', at) - at)))
     return "write it as a number: " + print_number(rounded(*quotient, 6));

@@ -120,7 +120,7 @@ const std::vector<Wording>& words_of_design() {
       {Kind::design_left_out, errors},
       {Kind::design_laboratory, laboratory},
       {Kind::design_no_laboratory,
-       [](F) -> std::string { return "The laboratory's table has no strength inside the range."; }},
+       [](F) -> std::string { return "The calibration fitted no strength of the table inside the range."; }},
       {Kind::design_tension_above, tension_above},
       {Kind::design_strike,
        [](F) -> std::string {
