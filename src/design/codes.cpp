@@ -210,13 +210,13 @@ std::string digits(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0
 
 std::string text_of(const CodeRow& row, V v) { return digits(row.factor * row.value(v)); }
 
-/// The tension of the rock that c and phi never let it reach.
-std::string out_of_reach(const Code& code, V v) {
+/// A remark where c and phi fail before sigma_t; empty: they do not.
+std::string remark_on_tension(const Code& code, V v) {
   const bool asked = std::ranges::any_of(
       code.rows, [](const CodeRow& r) { return r.value == of<sigma_t> || r.value == cut_off; });
   if (!asked || v(sigma_t) <= v.tension_by_cohesion()) return "";
   return fmt::format(
-      "sigma_t is above the {} Pa at which c and phi fail in uniaxial tension: it is never met.",
+      "sigma_t is above the {} Pa at which c and phi fail in uniaxial tension: there they fail first.",
       digits(v.tension_by_cohesion()));
 }
 
@@ -225,7 +225,7 @@ std::string head(const Code& code, V v, const std::string& rock, const char* mar
       fmt::format("{} {}: {} for {}, by {}\n", mark, comment_text(rock), code.model, code.name, phy::program);
   text += fmt::format("{} {}: {}\n", mark, *code.rows.front().name != '\0' ? "Names" : "Model", code.source);
   for (const char* note : code.notes) text += fmt::format("{} {}\n", mark, note);
-  const std::string remark = out_of_reach(code, v);
+  const std::string remark = remark_on_tension(code, v);
   return remark.empty() ? text : text + fmt::format("{} {}\n", mark, remark);
 }
 

@@ -191,7 +191,7 @@ std::vector<std::string> E_of_table(const DesignTests& tests) {
   return {to_string(tests.E_is)};
 }
 
-/// Two laws of one rock, fitted apart: codes take the weaker one.
+/// Two laws of one rock, fitted apart, may contradict each other.
 void find_tension_above(Design& d) {
   const Values v = d.values();
   const double tension = v(Constant::sigma_t), least = v.tension_by_cohesion();

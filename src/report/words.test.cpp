@@ -180,8 +180,7 @@ TEST(Words, TheVerdictOfATableOfOneValueWithoutBedding) {
   c.verdict.next = {Kind::next_step, {}, {}, {"UCS"}, Advice::state_scatter};
   EXPECT_EQ(verdict_words(c),
             "Not decided: the table does not show the scatter of UCS. On packings that the fit has not seen: "
-            "the one "
-            "value is not decided. Largest errors: UCS 1.7 %.");
+            "the one value is not decided. Largest errors: UCS 1.7 %.");
   EXPECT_THAT(
       verdict_lines(c),
       ElementsAre("Good for: nothing that the table could show.", "Not good for: UCS, not decided.",

@@ -79,9 +79,8 @@ std::string errors(F) {
 }
 
 std::string tension_above(F f) {
-  return fmt::format(
-      "sigma_t is {:.1f} MPa, but c and phi fail in uniaxial tension at {:.1f} MPa: codes take the smaller.",
-      f.number("sigma_t") * 1e-6, f.number("by_cohesion") * 1e-6);
+  return fmt::format("sigma_t is {:.1f} MPa. In uniaxial tension c and phi fail first, at {:.1f} MPa.",
+                     f.number("sigma_t") * 1e-6, f.number("by_cohesion") * 1e-6);
 }
 
 std::string laboratory(F f) {

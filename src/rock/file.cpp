@@ -392,7 +392,7 @@ class RockReader {
     remove_layers(rock_.model), rock_.model.test.angles.clear();
     // Under this word the list of models has rock without layers.
     rock_.layers = LayerModel::planes;
-    // Angles that are missing in the table are told there.
+    // A table without angles has a message of its own.
     for (const char* key : {"bedding.spacing", "layers"})
       if (is_given(key) && is_given("bedded"))
         problems_.push_back({file_.place(key), key, "", "a rock with bedding",

@@ -109,7 +109,7 @@ TEST_F(RockFile, FilesThatCannotBeReadAreToldWithTheRest) {
   }
 }
 
-// What users of Windows write first: the one slip is told, and nothing that follows from it.
+// What users of Windows write first: one error, and none that only follows from it.
 TEST_F(RockFile, APathWithBackslashes) {
   try {
     read_rock(write("w.toml", "data = \"C:\\Users\\a.csv\"\n"));
@@ -121,7 +121,7 @@ TEST_F(RockFile, APathWithBackslashes) {
   }
 }
 
-// A table without angles is told by itself: the keys of layers are right.
+// The table is at fault: the keys of layers are right.
 TEST_F(RockFile, KeysOfLayersAreNoFaultOfATableThatCannotBeRead) {
   EXPECT_THAT(problems("", "layers = \"planes\"\n[bedding]\nspacing = \"8 mm\"\n"), SizeIs(1));
 }
