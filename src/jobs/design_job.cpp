@@ -247,7 +247,7 @@ DesignPlan plan_design(const DesignRequest& request) {
   for (std::size_t k = 0; k < n; ++k) {
     plan.draws.push_back(draws[k * (draws.size() - 1) / (n - 1)]);
   }
-  plan.calibration = read_calibration(fs::path(path).parent_path().string());
+  plan.calibration = read_judged(fs::path(path).parent_path().string());
   plan.sought = first_of(plan.calibration.verdict.not_good_for, FindingKind::strengths_of_recipe) == nullptr;
   for (const StrengthResidual& r : plan.calibration.residuals)
     if (!request.model_alone && is_compressive(r.target.property)) plan.cells.push_back(r.target);

@@ -102,6 +102,11 @@ Calibration read_calibration(const std::string& folder) {
                                 (fs::path(folder) / calibration_file).string());
 }
 
+Calibration read_judged(const std::string& folder) {
+  return report::judged_from(text_of(folder, calibration_file),
+                             (fs::path(folder) / calibration_file).string());
+}
+
 FolderReport read_report(const std::string& folder) {
   FolderReport r;
   // Before a run: a calibration has results of tests below it, but its page is another.

@@ -18,6 +18,8 @@ bool holds_calibration(const std::string& folder);
 /// What a calibration has compared, for pictures (report/calibration_files.hpp). Throws IoError or
 /// InputError.
 Calibration read_calibration(const std::string& folder);
+/// The same with the verdict, for what is computed from it.
+Calibration read_judged(const std::string& folder);
 
 /// Throws IoError, or InputError where the folder holds no result.
 FolderReport read_report(const std::string& folder);

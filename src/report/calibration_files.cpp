@@ -182,7 +182,7 @@ FailureMode failure_from(const Json& j) {
           io::whole_number<int>(j.at("n_tests")), io::whole_number<int>(j.at("n_planes"))};
 }
 
-// Only what pictures and predictions need is read back; texts stay as they were written.
+// Only what pictures, predictions and designs need is read back; texts stay as they were written.
 std::vector<Finding> findings_of(const Json& list) {
   std::vector<Finding> findings;
   for (const Json& j : list)
@@ -248,6 +248,31 @@ std::string as_comments(const std::string& text) {
   return lines + "\n";
 }
 
+void read_comparisons(const Json& j, Calibration& c) {
+  c.rock = j.at("rock");
+  if (j.value("method", "") == "sequence") c.method = CalibrationMethod::sequence;
+  c.fitted = rows_of(j.at("fitted")), c.verification = rows_of(j.at("verification"));
+  c.left_out = rows_of(j.at("left_out"));
+  if (j.contains("discrepancy")) c.discrepancy = factors_of(j.at("discrepancy"));
+  if (j.contains("residuals")) c.residuals = residuals_of(j.at("residuals"));
+}
+
+Calibration calibration_from(const std::string& json, const std::string& file,
+                             void (*read)(const Json&, Calibration&)) {
+  Calibration c;
+  // Missing keys and wrong types come as exceptions of the JSON library.
+  try {
+    const Json j = io::parse_json<Json>(json);
+    // An older format may use a key in another sense, which no missing key would reveal.
+    if (j.at("format") != calibration_format) throw std::out_of_range("another version of the format");
+    read(j, c);
+  } catch (const std::exception& e) {
+    throw InputError(Problem{file, "", "", fmt::format("a calibration of format {}", calibration_format),
+                             io::in_words(e)});
+  }
+  return c;
+}
+
 }  // namespace
 
 std::string calibration_json(const Calibration& c, const std::string& version) {
@@ -295,24 +320,15 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
 }
 
 Calibration comparisons_of(const std::string& json, const std::string& file) {
-  Calibration c;
-  // Missing keys and wrong types come as exceptions of the JSON library.
-  try {
-    const Json j = io::parse_json<Json>(json);
-    // An older format may use a key in another sense, which no missing key would reveal.
-    if (j.at("format") != calibration_format) throw std::out_of_range("another version of the format");
-    c.rock = j.at("rock"), c.E_is = modulus_reading_of(j.at("E_is"));
+  return calibration_from(json, file, read_comparisons);
+}
+
+Calibration judged_from(const std::string& json, const std::string& file) {
+  return calibration_from(json, file, [](const Json& j, Calibration& c) {
+    read_comparisons(j, c);
+    c.E_is = modulus_reading_of(j.at("E_is"));
     c.verdict.not_good_for = findings_of(j.at("verdict").at("not_good_for"));
-    if (j.value("method", "") == "sequence") c.method = CalibrationMethod::sequence;
-    c.fitted = rows_of(j.at("fitted")), c.verification = rows_of(j.at("verification"));
-    c.left_out = rows_of(j.at("left_out"));
-    if (j.contains("discrepancy")) c.discrepancy = factors_of(j.at("discrepancy"));
-    if (j.contains("residuals")) c.residuals = residuals_of(j.at("residuals"));
-  } catch (const std::exception& e) {
-    throw InputError(Problem{file, "", "", fmt::format("a calibration of format {}", calibration_format),
-                             io::in_words(e)});
-  }
-  return c;
+  });
 }
 
 std::string recipe_comments(const Calibration& c) {

@@ -17,10 +17,12 @@ std::string calibration_json(const Calibration& calibration, const std::string& 
 /// Its keys, of every kind of object in it (calibration_keys.cpp).
 const std::vector<FileObject>& calibration_keys();
 
-/// What pictures are drawn from, read back from that text: rock, method, `E_is`, `fitted`, `verification`,
-/// `left_out`, `discrepancy`, `residuals`, for predictions, and kind and names of what it is not good for.
-/// Throws InputError that names `file` where it is no calibration of this format.
+/// What pictures are drawn from, read back from that text: rock, method, `fitted`, `verification`,
+/// `left_out`, `discrepancy`, and `residuals`, for predictions. Throws InputError that names `file` where it
+/// is no calibration of this format.
 Calibration comparisons_of(const std::string& json, const std::string& file);
+/// The same, with `E_is`, and kind and names of what the verdict calls it not good for.
+Calibration judged_from(const std::string& json, const std::string& file);
 
 /// Head of calibrated.toml, as comments: the verdict, and which parameters its data do not constrain.
 std::string recipe_comments(const Calibration& calibration);

@@ -58,7 +58,7 @@ TEST(CalibrationTables, TheModelAloneAndWithItsDiscrepancyStandApart) {
   c.residuals = {{c.fitted[1].target, 0.1, 4e-4, 1e-4, {0.1, 0.2}}};
   c.E_is = ModulusReading::secant_50;
   c.verdict.not_good_for = {{FindingKind::test_undetermined, {}, {}, {"tension", "tau_c"}}};
-  const Calibration read = comparisons_of(calibration_json(c, "1"), "calibration.json");
+  const Calibration read = judged_from(calibration_json(c, "1"), "calibration.json");
   ASSERT_EQ(read.residuals.size(), 1U);
   EXPECT_EQ(read.E_is, ModulusReading::secant_50);
   ASSERT_EQ(read.verdict.not_good_for.size(), 1U);
