@@ -30,7 +30,7 @@ Series frequency_of(std::vector<double> magnitudes) {
 Panel frequency_panel(const SpecimenRecord& t) {
   const double thickness = t.result.events.front().thickness;
   // A figure in a paper has no caption of ours: what a magnitude is of stands on its axis.
-  Panel panel{heading(t.result), "", Axis{fmt::format("magnitude of {:.3g} mm thickness", 1e3 * thickness)},
+  Panel panel{heading(t.result), "", Axis{fmt::format("magnitude, thickness {:.3g} mm", 1e3 * thickness)},
               Axis{"events of at least that magnitude"}};
   panel.y.logarithmic = true;
   const std::vector<double> magnitudes = events::magnitudes_of(t.result.events);
@@ -44,10 +44,11 @@ Panel frequency_panel(const SpecimenRecord& t) {
   // They are below zero, where an axis would otherwise end.
   panel.x.low = std::floor(*least), panel.x.high = std::max(std::ceil(*most), panel.x.low + 1.0);
   if (!std::isfinite(b)) return panel;
+  panel.title += fmt::format(", b = {:.2f} ± {:.2f}", b, half_width);
   const auto n = static_cast<double>(
       std::count_if(magnitudes.begin(), magnitudes.end(), [&](double m) { return m >= from; }));
   // From all events from the completeness on down to one, or as far as the axis reaches.
-  Series line{fmt::format("log N = a - b M, b = {:.2f} ± {:.2f}", b, half_width), Mark::line, Role::theory};
+  Series line{"log N = a - b M", Mark::line, Role::theory};
   const double to = std::min(from + std::log10(n) / b, panel.x.high);
   line.points = {{from, n}, {to, n * std::pow(10.0, -b * (to - from))}};
   panel.series.push_back(line);
