@@ -279,9 +279,9 @@ calibrate::SimulatorOptions tests_in(const std::string& folder, bool with_untrus
   options.store = (fs::path(folder) / "runs.sqlite").string();
   options.on_progress = [&line](const calibrate::TestProgress& p) {
     line.show([&](double) {
-      const bool known = p.n_new > 0 && p.seconds_left > 0.0;
-      return fmt::format("{}/{} tests{}", p.n_done, p.n_total,
-                         known ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
+      return fmt::format(
+          "{}/{} tests{}", p.n_done, p.n_total,
+          p.seconds_left > 0.0 ? ", about " + report::duration_text(p.seconds_left) + " left" : "");
     });
   };
   return options;

@@ -6,6 +6,7 @@
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
+#include "study/work.hpp"
 
 namespace phy::study {
 namespace {
@@ -56,6 +57,16 @@ TEST(Expected, CostWithinAFactorOfTwo) {
     EXPECT_GT(ratio, 0.5) << kind->name;
     EXPECT_LT(ratio, 2.0) << kind->name;
   }
+}
+
+// One finished test tells how far expected costs are off; before it, nothing does.
+TEST(ProgressOfTests, HasNoTimeLeftBeforeOneHasFinished) {
+  Progress p;
+  p.work = 10.0, p.cost_left = 500.0;
+  EXPECT_EQ(p.seconds_left(2.0), 0.0);
+  // It was expected to cost 100 and took 50; 400 more are expected, of which 30 are done.
+  p.work = 80.0, p.work_new = 50.0, p.cost_new = 100.0, p.cost_left = 400.0;
+  EXPECT_DOUBLE_EQ(p.seconds_left(16.0), 16.0 * (250.0 - 80.0) / 80.0);
 }
 
 }  // namespace

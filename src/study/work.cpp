@@ -6,9 +6,9 @@ namespace phy::study {
 
 double Progress::seconds_left(double seconds) const {
   // Expected costs are guesses with a common factor, which finished tests reveal: work done over work
-  // expected. Before there are any it is 1.
-  const double scale = cost_new > 0.0 && work_new > 0.0 ? work_new / cost_new : 1.0;
-  return work > 0.0 ? seconds * std::max(0.0, scale * (cost_new + cost_left) - work) / work : 0.0;
+  // expected.
+  if (!(cost_new > 0.0 && work_new > 0.0)) return 0.0;
+  return seconds * std::max(0.0, work_new / cost_new * (cost_new + cost_left) - work) / work;
 }
 
 void LaneUse::add(const LaneUse& other) {

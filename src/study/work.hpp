@@ -29,7 +29,8 @@ struct Progress {
   double work = 0.0;                       ///< cycles times grains of this run, the unit of cost
   double work_new = 0.0;                   ///< of these: of finished tests
 
-  /// Seconds to go after `seconds` of work: the expected cost, scaled by what finished tests really took.
+  /// Seconds to go after `seconds` of work: the expected cost, scaled by what finished tests really took. 0:
+  /// nothing is left, or none has finished yet.
   double seconds_left(double seconds) const;
 };
 
