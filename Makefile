@@ -34,7 +34,7 @@ deps-clang: PACKAGES += clang libclang-rt-14-dev
 deps-coverage: PACKAGES += gcovr
 deps-windows: PACKAGES += g++-mingw-w64-x86-64-posix dpkg-dev tcl
 windows-check: PACKAGES += wine64 wine
-deps-inside: PACKAGES += clang-14 emscripten dpkg-dev tcl
+deps-inside: PACKAGES += clang-16 emscripten dpkg-dev tcl
 deps-aarch64: PACKAGES += g++-aarch64-linux-gnu dpkg-dev tcl
 aarch64-check: PACKAGES += qemu-user
 deps-package: PACKAGES += dpkg-dev file lintian mmdebstrap
@@ -116,7 +116,7 @@ windows-check: windows program
 # For a browser, by emscripten (docs/decisions/0026-in-the-browser.md). Chromium tries the page in `make browser`.
 browser-program: deps-inside
 	@sh tools/sources.sh build/sources
-	@$(call made,browser) --target phyllite
+	@$(call made,browser) --target phyllite phyllite_threads
 
 browser-check: browser-program program
 	@python3 tools/browser_check.py $(CHECKS)

@@ -1,4 +1,5 @@
-"""The page of `phyllite gui` with the program inside, as one file that needs no server (`make browser-lab`).
+"""The page of `phyllite gui` with the program inside, as one file that needs no server, and as one with threads that needs a
+server with two headers (`make browser-lab`).
 
     python3 tools/browser_lab.py BUILD OUT
 """
@@ -22,19 +23,31 @@ def block(text: str, name: str = "") -> str:
     return f"<script{kind}>{inert}</script>\n"
 
 
-def main(build: pathlib.Path, out: pathlib.Path) -> None:
+def page(program: pathlib.Path) -> str:
     parts = ROOT / "packaging/browser"
-    worker = (build / "phyllite.js").read_text() + (parts / "worker.js").read_text()
-    wasm = base64.b64encode(gzip.compress((build / "phyllite.wasm").read_bytes(), 9, mtime=0)).decode()
-    page = (ROOT / "web/gui.html").read_text()
-    head, rest = page.split("<head>\n", 1)
+    thread = program.with_suffix(".worker.js")
+    wasm = base64.b64encode(gzip.compress(program.with_suffix(".wasm").read_bytes(), 9, mtime=0)).decode()
+    texts = {
+        "phyllite-program": program.with_suffix(".js").read_text(),
+        "phyllite-worker": (parts / "worker.js").read_text(),
+        "phyllite-wasm": wasm,
+        "licences": pathlib.Path(LICENCES).read_text(),
+    }
+    if thread.exists():
+        texts["phyllite-thread"] = thread.read_text()
+    head, rest = (ROOT / "web/gui.html").read_text().split("<head>\n", 1)
     before, script = rest.rsplit("<script>", 1)
-    inside = block(worker, "phyllite-worker") + block(wasm, "phyllite-wasm") + block(pathlib.Path(LICENCES).read_text(), "licences") + block((parts / "page.js").read_text())
+    inside = "".join(block(text, name) for name, text in texts.items()) + block((parts / "page.js").read_text())
     policy = f'<head>\n<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
+    return head + policy + before + inside + "<script>" + script
+
+
+def main(build: pathlib.Path, out: pathlib.Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
-    file = out / "phyllite.html"
-    file.write_text(head + policy + before + inside + "<script>" + script)
-    print(f"browser-lab: {file}, {file.stat().st_size / 1e6:.1f} MB, opens from the disk and from any server")
+    for program, opens in (("phyllite", "opens from the disk and from any server"), ("phyllite_threads", "computes on several threads, from a server with two headers")):
+        file = out / f"{program.replace('_', '-')}.html"
+        file.write_text(page(build / program))
+        print(f"browser-lab: {file}, {file.stat().st_size / 1e6:.1f} MB, {opens}")
 
 
 if __name__ == "__main__":

@@ -211,7 +211,7 @@ def check_tables(bench):
 def check_calibrate(bench):
     """A small rock: every number of Linux, and every word."""
     place = bench.rock("small Ä")
-    words = ["--threads", "1", "calibrate", "rock.toml", "--effort", "quick"]
+    words = ["--threads", "2", "calibrate", "rock.toml", "--effort", "quick"]
     bench.windows(*words, "--out", "windows", where=place)
     bench.linux(*words, "--out", "linux", where=place)
     compare = [sys.executable, ROOT / "tools/compare_calibrations.py", place / "linux", place / "windows"]

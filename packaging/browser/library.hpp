@@ -1,6 +1,9 @@
 // What C++20 asks of its library and libc++ 13, emscripten's in Debian 12, does not have yet: algorithms of
 // ranges, and numbers of `double` as text. Included before every file of the build for browsers.
 #pragma once
+#ifdef PHY_MAIN  // a name that clang changes from 15 on, and em++ 3.1.6 looks for
+int main(int, char**) __asm__("main");
+#endif
 #if defined(__cplusplus) && __cplusplus >= 202002L
 #include <version>
 #if _LIBCPP_VERSION < 15000

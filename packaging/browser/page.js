@@ -1,8 +1,9 @@
 // The page without a server: it hands what it asks to a worker that runs the program (worker.js). Files are in the worker's
 // memory and in the browser's own store; here they are opened and shown.
 {
-  const text = (id) => document.getElementById(id).textContent;
-  const worker = new Worker(URL.createObjectURL(new Blob([text("phyllite-worker")], { type: "text/javascript" })));
+  const text = (id) => document.getElementById(id)?.textContent;
+  const [program, script, thread] = [text("phyllite-program"), text("phyllite-worker"), text("phyllite-thread")];
+  const worker = new Worker(URL.createObjectURL(new Blob([program, script], { type: "text/javascript" })));
   const waiting = new Map(); // by number: who waits for an answer
   let number = 0;
   let open;
@@ -87,6 +88,7 @@
     return made;
   };
   const said = element("p", { role: "status" });
+  const computing = element("span");
   const say = (line) => (said.textContent = line);
   const chooser = element("input", { type: "file", webkitdirectory: true, hidden: true, ariaLabel: "Folder to open" });
   chooser.addEventListener("change", () => void bring(chooser.files));
@@ -96,9 +98,13 @@
   choose.addEventListener("click", () => chooser.click());
   const tools = element("div", { className: "tools" }, save, choose, chooser);
   document.getElementById("main").before(
-    element("section", { ariaLabel: "In this browser" }, element("p", {}, "The program runs in this browser, and nothing leaves it. Each command has one thread; the installed program uses all cores."), tools, said),
+    element("section", { ariaLabel: "In this browser" }, element("p", {}, "The program runs in this browser, and nothing leaves it. ", computing), tools, said),
   );
+  const several = (n) => `Each command computes on ${n} threads.`;
+  const one = "Each command computes on one thread; the installed program uses all cores.";
+  void ready.then(({ threads }) => (computing.textContent = threads > 1 ? several(threads) : one));
   void ready.then(({ keeps }) => say(keeps ? "Files are kept in this browser. Download what you want to keep for good." : "This browser keeps no files: download them before you leave."));
 
-  worker.postMessage({ role: "desk", wasm: text("phyllite-wasm"), script: text("phyllite-worker") });
+  if (thread && !crossOriginIsolated) say("This page computes on several threads. Browsers allow them only where the server sends Cross-Origin-Opener-Policy: same-origin and Cross-Origin-Embedder-Policy: require-corp. Open phyllite.html, which has one thread and opens anywhere.");
+  else worker.postMessage({ role: "desk", wasm: text("phyllite-wasm"), program, worker: script, thread });
 }

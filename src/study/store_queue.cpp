@@ -28,7 +28,7 @@ StoreQueue::StoreQueue(const Plan& plan, Store& store, Hooks hooks, int n_worker
       else
         enqueue(batch.tests[i]);
   }
-  if (has_threads) keeper_ = std::thread([this] { keep_claims(); });
+  if (has_threads()) keeper_ = std::thread([this] { keep_claims(); });
 }
 
 StoreQueue::~StoreQueue() {

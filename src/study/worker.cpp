@@ -180,21 +180,23 @@ WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& mac
   const auto start = std::chrono::steady_clock::now();
   std::mutex mutex;
   std::atomic<bool> broken{false};
-  LaneBatchExchange exchange(machine.threads);
+  const int n_threads = has_threads() ? machine.threads : 1;  // workers wait for each other
+  LaneBatchExchange exchange(n_threads);
   WorkReport report;
   on_threads(
-      static_cast<std::size_t>(machine.threads), broken,
+      static_cast<std::size_t>(n_threads), broken,
       [&](std::size_t) {
         // Each thread adds its own time, since the clock of a thread is gone with it.
+        const double before = system::thread_seconds();
         Worker worker(queue, plan, machine, exchange, broken);
         worker.run();
         const std::lock_guard lock(mutex);
-        report.cpu_seconds += system::thread_seconds();
+        report.cpu_seconds += system::thread_seconds() - before;
         report.lanes.add(worker.use());
       },
       [&] { exchange.leave(); });
   report.wall_seconds = seconds_since(start);
-  report.idle = exchange.waited() / (report.wall_seconds * machine.threads);
+  report.idle = exchange.waited() / (report.wall_seconds * n_threads);
   return report;
 }
 

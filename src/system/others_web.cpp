@@ -11,10 +11,6 @@
 
 #include "system/files.hpp"
 
-// clang-format off
-EM_JS(void, phyllite_share, (), { if (Module["share"]) Module["share"](); });
-// clang-format on
-
 namespace phy::system {
 
 void lock(int) {}
@@ -37,7 +33,10 @@ int locked_by(const std::string&) { return 0; }
 
 int replace(const std::string& from, const std::string& to) {
   if (std::rename(from.c_str(), to.c_str()) != 0) return errno;
-  phyllite_share();
+  // Files are those of the first thread.
+  // clang-format off
+  MAIN_THREAD_EM_ASM({ if (Module["share"]) Module["share"](); });
+  // clang-format on
   return 0;
 }
 
