@@ -105,6 +105,6 @@
   void ready.then(({ threads }) => (computing.textContent = threads > 1 ? several(threads) : one));
   void ready.then(({ keeps }) => say(keeps ? "Files are kept in this browser. Download what you want to keep for good." : "This browser keeps no files: download them before you leave."));
 
-  if (thread && !crossOriginIsolated) say("This page computes on several threads. Browsers allow them only where the server sends Cross-Origin-Opener-Policy: same-origin and Cross-Origin-Embedder-Policy: require-corp. Open phyllite.html, which has one thread and opens anywhere.");
+  if (thread && !crossOriginIsolated) say("This page computes on several threads. Browsers allow them only where a server sends Cross-Origin-Opener-Policy: same-origin and Cross-Origin-Embedder-Policy: require-corp, by https or on this machine. Open phyllite.html, which has one thread and opens anywhere.");
   else worker.postMessage({ role: "desk", wasm: text("phyllite-wasm"), program, worker: script, thread });
 }

@@ -127,6 +127,21 @@ test("a table pasted on the first screen becomes a rock, its headings in their p
   await close();
 });
 
+test("a table pasted before the program has answered becomes a rock as soon as it has", async () => {
+  const { page, close } = await open();
+  await page.route("**/api/project*", (route) => setTimeout(() => route.continue(), 1500));
+  await page.reload();
+  await page.evaluate((text) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", text);
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, copied);
+  await title(page, "rock");
+  await page.getByText("No problems").waitFor();
+  assert.deepEqual(page.trouble, []);
+  await close();
+});
+
 test("files are dropped or chosen: a workbook, a CSV file; what is none is refused", async () => {
   const { page, file, folder, close } = await open();
   const drop = (name, bytes) =>

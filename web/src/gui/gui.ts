@@ -23,7 +23,7 @@ const saving = document.getElementById("saving")!;
 
 let project: Project;
 let open: { rock: Rock; table: TableView; show: () => void; meet: (answer: RockAnswer) => void; running: boolean } | null = null;
-let starting: StartView;
+let starting: StartView | undefined; // once the program has answered
 
 function section(id: string, title: string, ...children: Node[]): HTMLElement {
   return h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);
@@ -249,7 +249,7 @@ function leave() {
 /** The ways to begin stand open as long as no rock does. */
 function arrange() {
   another.hidden = open === null;
-  (open ? another : first).append(starting.node);
+  (open ? another : first).append(starting!.node);
 }
 
 async function visit(rock: string, calibration = "") {
@@ -312,7 +312,7 @@ addEventListener("paste", (e) => {
   if (isField(e.target) || e.defaultPrevented || text.trim() === "") return;
   e.preventDefault();
   if (open) open.table.paste(text);
-  else void starting.bring(text, "");
+  else void started.then(() => starting?.bring(text, ""));
 });
 addEventListener("dragover", (e) => {
   if (e.dataTransfer?.types.includes("Files")) e.preventDefault(); // else the browser opens the file in place of the page
@@ -321,7 +321,7 @@ addEventListener("drop", (e) => {
   const file = e.dataTransfer?.files[0];
   if (!file) return;
   e.preventDefault();
-  void starting.bringFile(file);
+  void started.then(() => starting?.bringFile(file));
 });
 onDraft(
   () => (open ? [project.folder, open.rock.name] : null),
@@ -357,4 +357,4 @@ async function start() {
   void watch();
 }
 
-void start();
+const started = start();
